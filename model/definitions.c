@@ -1,0 +1,50 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "definitions.h"
+
+#include <stddef.h>
+
+struct status_text {
+    uint32_t status;
+    const char *name, *what, *remedy;
+};
+
+#define CONSTANT(name, value, what)
+#define RECORD(name, value, what)
+#define STATUS(name, value, what, remedy) {value, #name, what, remedy},
+#define STAGE(name, index, what)
+#define ACTIVITY(name, index, what)
+#define REGISTER(name, address, access, what)
+#define EXIT(name, value, what)
+static const struct status_text statuses[] = {
+#include "definitions.def"
+};
+#undef STATUS
+#define STATUS(name, value, what, remedy)
+#undef STAGE
+#define STAGE(name, index, what) #name,
+static const char *const stages[] = {
+#include "definitions.def"
+};
+
+static const struct status_text *find(uint32_t status) {
+    static const struct status_text unknown = {0, "?", "an unknown status", ""};
+    for (size_t i = 0; i < sizeof statuses / sizeof *statuses; i++)
+        if (statuses[i].status == status) return &statuses[i];
+    return &unknown;
+}
+
+const char *hs_status_name(uint32_t status) {
+    return find(status)->name;
+}
+
+const char *hs_status_what(uint32_t status) {
+    return find(status)->what;
+}
+
+const char *hs_status_remedy(uint32_t status) {
+    return find(status)->remedy;
+}
+
+const char *hs_stage_name(uint32_t stage) {
+    return stage < HS_STAGES ? stages[stage] : "?";
+}
