@@ -32,6 +32,13 @@ $(BUILD)/libsim.a: $(SIM_OBJ)
 $(BUILD)/gen_pkg: sim/gen_pkg.c model/definitions.def | $(BUILD)/packages
 	$(CC) $(CFLAGS) $< -o $@
 
+# Copied only if they differ, so that timestamps stay.
+rtl/hs_pkg.sv docs/reference.md: $(BUILD)/generated
+	@cmp -s $(BUILD)/gen/$(@F) $@ || cp $(BUILD)/gen/$(@F) $@
+$(BUILD)/generated: $(BUILD)/gen_pkg
+	@mkdir -p $(BUILD)/gen && $< sv >$(BUILD)/gen/hs_pkg.sv && $< md >$(BUILD)/gen/reference.md
+	@touch $@
+
 $(BUILD)/%: $(BUILD)/tests/%.o $(BUILD)/libsim.a $(BUILD)/libhalfstep.a
 	$(CXX) $^ -o $@ -lcmocka $(LIBS)
 
