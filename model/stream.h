@@ -9,6 +9,7 @@
 
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
 
 #include "definitions.h"
 #include "error.h"
@@ -39,7 +40,8 @@ typedef struct hs_settings {
 bool hs_packet_encode(hs_packet *packet, uint32_t view, const hs_mesh *mesh, const float matrix[16],
                       const hs_settings *settings, hs_error *err);
 
-/* Appends records (4 * records words) to a packet. */
+/* Appends records (4 * records words, not the packet's own) to a packet; its memory at least
+ * doubles when it grows. False only when memory is exhausted. */
 bool hs_packet_append(hs_packet *packet, const uint32_t *record, size_t records, hs_error *err);
 
 /* Frees the words and empties *packet. */
@@ -75,15 +77,25 @@ typedef struct hs_output {
 bool hs_output_decode(hs_output *output, const hs_packet *packet, hs_error *err);
 void hs_output_free(hs_output *output);
 
-/* What the record at a word of an output packet is, for messages: "face 12 of generation 3,
- * vertices 1 and 2" or "position of vertex 51 (z)". Never fails; size is of text. */
+/* What a word of an output packet is, for messages: "face 12 of generation 3, vertices 1 and 2"
+ * (faces count from 0 in the order of the output; the 1st and 2nd of the face's vertices) or
+ * "position of vertex 51 (z)" (its number in the pipeline). Never fails, whatever the words are;
+ * size is of text. Time O(word). */
 void hs_output_describe(const hs_packet *packet, size_t word, char *text, size_t size);
 
 /* A stream file holds packets, each behind a frame record: the bytes HS2F, the view, the number of
  * words that follow, and zero; all little-endian. Reads the packet at *offset (bytes) of a file in
- * memory and moves *offset behind it. */
+ * memory and moves *offset behind it; the file is at its end when *offset == size. Replaces what
+ * *packet held. name is the file's, for messages. On failure *packet has no words, *offset stays
+ * and *err names the byte (HS_EXIT_STREAM). */
+enum { HS_MAGIC_FRAME = 0x46325348 }; /* the bytes HS2F */
 bool hs_frame_read(hs_packet *packet, const uint8_t *bytes, size_t size, size_t *offset,
                    const char *name, hs_error *err);
+
+/* Writes a packet behind its frame record; what hs_frame_read reads. False with HS_EXIT_STREAM if
+ * the packet has no words, words that are no whole records, or a view beyond 16 bits, with
+ * HS_EXIT_FILE if the file takes no more. */
+bool hs_frame_write(FILE *file, const hs_packet *packet, const char *name, hs_error *err);
 
 #ifdef __cplusplus
 }
