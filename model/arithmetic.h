@@ -1,0 +1,48 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * Exact integer arithmetic of the masks: every mask is one exact rational, rounded once, to
+ * nearest, ties to even (RNE). docs/arithmetic.md gives the widths and why nothing overflows.
+ */
+#ifndef HS_ARITHMETIC_H
+#define HS_ARITHMETIC_H
+
+#include <stdint.h>
+
+/* RNE(x / 2^s), s from 1 to 62, |x| < 2^62. Adding half a unit less one, and one more where the
+ * quotient would be odd, makes the floor of the shift round as RNE does, negative x included. */
+static inline int64_t hs_rne_shift(int64_t x, int s) {
+    return (x + ((int64_t)1 << (s - 1)) - 1 + ((x >> s) & 1)) >> s;
+}
+
+/* RNE(x / d), d from 1 to 2^31, |x| < 2^62. */
+static inline int64_t hs_rne_divide(int64_t x, int64_t d) {
+    int64_t q = x / d, r = x % d; /* towards zero */
+    int64_t twice = 2 * (r < 0 ? -r : r);
+    if (twice > d || (twice == d && (q & 1))) q += x < 0 ? -1 : 1;
+    return q;
+}
+
+/* Face point of one coordinate: RNE(sum / n), |sum| <= n 2^30. */
+static inline int32_t hs_face_mask(int64_t sum, uint32_t n) {
+    return (int32_t)(n == 4 ? hs_rne_shift(sum, 2) : hs_rne_divide(sum, n));
+}
+
+/* Vertex point of one coordinate: RNE((t + n(n-2) s) / n^2), where t sums w + F over the n
+ * half-edges v -> w around the vertex: the paper's formula (1), multiplied out. */
+static inline int32_t hs_vertex_mask(int64_t t, int32_t s, uint32_t n) {
+    if (n == 4) return (int32_t)hs_rne_shift(t + 8 * (int64_t)s, 4);
+    int64_t m = n;
+    return (int32_t)hs_rne_divide(t + m * (m - 2) * s, m * m);
+}
+
+/* The sign of det[(x,y,w) of a, b, c], exactly: above zero where the corner a, b, c is seen
+ * counter-clockwise. Positions are x, y, z, w with |component| <= 2^30, so a component of b x c
+ * needs 62 bits and the determinant 94. */
+static inline int hs_corner_front(const int32_t a[4], const int32_t b[4], const int32_t c[4]) {
+    int64_t x = (int64_t)b[1] * c[3] - (int64_t)b[3] * c[1];
+    int64_t y = (int64_t)b[3] * c[0] - (int64_t)b[0] * c[3];
+    int64_t w = (int64_t)b[0] * c[1] - (int64_t)b[1] * c[0];
+    return (__int128)a[0] * x + (__int128)a[1] * y + (__int128)a[3] * w > 0;
+}
+
+#endif

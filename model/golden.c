@@ -1,0 +1,217 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * golden: one view, from packet to packet. Receive it; then, once a generation, classify, select,
+ * guard, smooth, split; the stages are files of their own, and golden_state.h says what each
+ * leaves for the next.
+ */
+#include <stdlib.h>
+#include <string.h>
+
+#include "golden_state.h"
+
+enum { GENERATIONS = HS_MAX_DEPTH + 1 };
+
+struct hs_golden {
+    hs_state state;
+    hs_generation generation[GENERATIONS];
+    uint8_t *decision[GENERATIONS];
+    size_t decision_room[GENERATIONS];
+};
+
+hs_golden *hs_golden_new(hs_limits limits) {
+    const uint32_t most = 1u << HS_INDEX_BITS;
+    if (limits.vertices > most || limits.quads > most) return NULL;
+    hs_golden *golden = calloc(1, sizeof *golden);
+    if (golden) golden->state.limits = limits;
+    return golden;
+}
+
+void hs_golden_free(hs_golden *golden) {
+    if (!golden) return;
+    hs_state *s = &golden->state;
+    void *const arrays[] = {s->first,       s->face,      s->origin,         s->twin,
+                            s->candidate,   s->forced,    s->vertex,         s->clip,
+                            s->sum,         s->mark,      s->sent,           s->point,
+                            s->face_mark,   s->decision,  s->number,         s->child,
+                            s->next_origin, s->next_twin, s->next_candidate, s->next_forced};
+    for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++)
+        free(arrays[i]);
+    for (size_t g = 0; g < GENERATIONS; g++)
+        free(golden->decision[g]);
+    free(golden);
+}
+
+/* Reallocates *(void **)array to count elements; the old array stays if there is no memory. */
+static bool resize(void *array, size_t count, size_t element) {
+    void *data;
+    memcpy(&data, array, sizeof data);
+    data = realloc(data, count * element);
+    if (!data) return false;
+    memcpy(array, &data, sizeof data);
+    return true;
+}
+
+static size_t grown(size_t room, size_t wanted) {
+    return wanted > room + room / 2 ? wanted : room + room / 2;
+}
+
+bool hs_state_reserve(hs_state *s, size_t vertices, size_t faces, size_t halfedges) {
+    bool good = true;
+    if (vertices > s->vertex_room) {
+        const size_t n = grown(s->vertex_room, vertices);
+        good = resize(&s->vertex, n, sizeof *s->vertex) && resize(&s->clip, n, sizeof *s->clip) &&
+               resize(&s->sum, n, sizeof *s->sum) && resize(&s->mark, n, sizeof *s->mark) &&
+               resize(&s->sent, n, sizeof *s->sent);
+        if (good) s->vertex_room = n;
+    }
+    if (good && faces > s->face_room) {
+        const size_t n = grown(s->face_room, faces);
+        good = resize(&s->first, n + 1, sizeof *s->first) &&
+               resize(&s->candidate, n, sizeof *s->candidate) &&
+               resize(&s->forced, n, sizeof *s->forced) &&
+               resize(&s->next_candidate, n, sizeof *s->next_candidate) &&
+               resize(&s->next_forced, n, sizeof *s->next_forced) &&
+               resize(&s->point, n, sizeof *s->point) &&
+               resize(&s->face_mark, n, sizeof *s->face_mark) &&
+               resize(&s->decision, n, sizeof *s->decision) &&
+               resize(&s->number, n, sizeof *s->number);
+        if (good) s->face_room = n;
+    }
+    if (good && halfedges > s->halfedge_room) {
+        const size_t n = grown(s->halfedge_room, halfedges);
+        good = resize(&s->face, n, sizeof *s->face) && resize(&s->origin, n, sizeof *s->origin) &&
+               resize(&s->twin, n, sizeof *s->twin) && resize(&s->child, n, sizeof *s->child) &&
+               resize(&s->next_origin, n, sizeof *s->next_origin) &&
+               resize(&s->next_twin, n, sizeof *s->next_twin);
+        if (good) s->halfedge_room = n;
+    }
+    if (!good) s->exhausted = true;
+    return good;
+}
+
+/* Keeps what was decided in this generation, for the report. */
+static bool keep_decisions(hs_golden *golden) {
+    hs_state *s = &golden->state;
+    const uint32_t g = s->generation;
+    if (s->faces > golden->decision_room[g]) {
+        if (!resize(&golden->decision[g], s->faces, 1)) return false;
+        golden->decision_room[g] = s->faces;
+    }
+    if (s->finish)
+        memset(golden->decision[g], 0, s->faces);
+    else
+        memcpy(golden->decision[g], s->decision, s->faces);
+    golden->generation[g] = s->count;
+    return true;
+}
+
+static void swap(uint32_t **a, uint32_t **b) {
+    uint32_t *c = *a;
+    *a = *b;
+    *b = c;
+}
+
+static void swap_bytes(uint8_t **a, uint8_t **b) {
+    uint8_t *c = *a;
+    *a = *b;
+    *b = c;
+}
+
+static void enter_next_generation(hs_state *s) {
+    s->vertices += s->refined;
+    s->faces = s->next_faces;
+    s->halfedges = 4 * s->next_faces;
+    s->generation++;
+    swap(&s->origin, &s->next_origin);
+    swap(&s->twin, &s->next_twin);
+    swap_bytes(&s->candidate, &s->next_candidate);
+    swap_bytes(&s->forced, &s->next_forced);
+}
+
+/* The children of a last step left in split, without becoming a generation. */
+static bool count_last_generation(hs_golden *golden) {
+    hs_state *s = &golden->state;
+    s->vertices += s->refined;
+    s->faces = s->next_faces;
+    s->generation++;
+    s->finish = true;
+    s->count = (hs_generation){
+        .active = s->faces, .corners = 4 * s->faces, .final = s->faces, .vertices = s->vertices};
+    return keep_decisions(golden);
+}
+
+static bool refine(hs_golden *golden) {
+    hs_state *s = &golden->state;
+    for (;;) {
+        s->count =
+            (hs_generation){.active = s->faces, .corners = s->halfedges, .vertices = s->vertices};
+        hs_stage_classify(s);
+        hs_stage_select(s);
+        if (!s->finish) hs_stage_guard(s);
+        if (s->finish) {
+            s->last = false;
+            s->refined = 0;
+            s->refined_sides = 0;
+        } else {
+            s->count.selected = s->selected;
+            s->count.refined = s->refined;
+        }
+        const size_t children = s->last ? 0 : (size_t)s->refined_sides / 2;
+        if (!hs_state_reserve(s, (size_t)s->vertices + s->refined, children, 4 * children))
+            return false;
+        hs_stage_smooth(s);
+        hs_stage_split(s);
+        if (s->exhausted || !keep_decisions(golden)) return false;
+        if (s->finish) return true;
+        if (s->last) return count_last_generation(golden);
+        enter_next_generation(s);
+    }
+}
+
+static uint32_t final_depth(const hs_state *s) {
+    const hs_settings *settings = &s->settings;
+    if (settings->uniform) return settings->uniform_depth;
+    uint32_t depth = settings->front_depth;
+    if (settings->silhouette_depth > depth) depth = settings->silhouette_depth;
+    return s->max_forced > depth ? s->max_forced : depth;
+}
+
+bool hs_golden_run(hs_golden *golden, const hs_packet *in, hs_packet *out, hs_golden_report *report,
+                   hs_error *err) {
+    hs_state *s = &golden->state;
+    s->out = out;
+    s->out->view = in->view;
+    s->out->words = 0;
+    s->exhausted = false;
+    s->generation = 0;
+    s->exponent = 0;
+    s->group = 0;
+    s->vertices_sent = s->faces_sent = s->triangles_sent = 0;
+
+    hs_stage_receive(s, in);
+    const bool accepted = s->status == HS_STATUS_OK && !s->exhausted;
+    if (accepted) hs_stage_quantize(s);
+    if (!s->exhausted) hs_emit_header(s);
+    if (accepted) {
+        s->depth = final_depth(s);
+        memset(s->sent, 0, s->vertices);
+        memset(s->candidate, 1, s->faces);
+        if (!refine(golden)) s->exhausted = true;
+    }
+    if (!s->exhausted) hs_emit_trailer(s);
+    if (s->exhausted)
+        return hs_fail(err, HS_EXIT_INTERNAL,
+                       "view %u: out of memory in golden; use a smaller mesh or depth", in->view);
+    *report = (hs_golden_report){
+        .status = s->status,
+        .error_position = s->error_position,
+        .exponent = s->exponent,
+        .generations = accepted ? s->generation + 1 : 0,
+        .generation = golden->generation,
+        .vertices = s->vertices_sent,
+        .faces = s->faces_sent,
+        .triangles = s->triangles_sent,
+        .decision = (const uint8_t *const *)golden->decision,
+    };
+    return true;
+}

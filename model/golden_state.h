@@ -1,0 +1,135 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * What golden's stages share: the active mesh of one generation, its vertices, and what each stage
+ * leaves for the next. The stages run in this order, once a generation:
+ *
+ *   classify   positions -> marks of faces and vertices, face points, sums around vertices
+ *   select     marks     -> selected faces
+ *   guard      selected  -> refined faces, numbers of their new vertices, held vertices
+ *   smooth     sums      -> moved positions; sends the vertices that final faces will name
+ *   split      refined   -> child quads, final faces
+ *
+ * Half-edges of face f of generation 0 are first[f] .. first[f+1]-1; later 4f .. 4f+3, so that
+ * next and prev need no memory.
+ */
+#ifndef HS_GOLDEN_STATE_H
+#define HS_GOLDEN_STATE_H
+
+#include "golden.h"
+
+/* Marks of a vertex (all) and of a face (FRONT, BACK, HITS); a vertex collects its faces' marks. */
+enum {
+    MARK_FRONT = 1,   /* a corner is seen counter-clockwise */
+    MARK_BACK = 2,    /* a corner is not */
+    MARK_HITS = 4,    /* not wholly outside one of the view volume's six planes */
+    MARK_BORDER = 8,  /* vertex: an end of an edge with one active face */
+    MARK_HELD = 16,   /* vertex: a corner of a face that is not refined */
+    MARK_CHOSEN = 32, /* vertex: a corner of a selected face */
+    MARK_ACTIVE = 64  /* vertex: a corner of an active face */
+};
+
+enum { FACE_SELECTED = 1, FACE_REFINED = 2 }; /* bits of a decision, as in hs_golden_report */
+
+/* A vertex, alive or not. Numbers are for ever: new ones are appended. */
+typedef struct hs_vertex {
+    int32_t position[4];
+    int32_t old[4]; /* where it was before the latest odd step moved it */
+} hs_vertex;
+
+typedef struct hs_sum {
+    int64_t t[4];     /* over its half-edges v -> w: w + F */
+    uint32_t valence; /* how many */
+} hs_sum;
+
+typedef struct hs_state {
+    /* The view */
+    hs_limits limits;
+    hs_settings settings;
+    float matrix[16];
+    uint32_t status, error_position;
+    uint32_t depth;      /* the generation at which everything is final */
+    uint32_t max_forced; /* largest forced depth of a face */
+    int32_t exponent;    /* E: positions are in units of 2^(E-30) */
+
+    /* The active mesh of this generation */
+    uint32_t generation;
+    uint32_t faces, halfedges;
+    uint32_t *first;             /* generation 0: faces + 1 */
+    uint32_t *face;              /* generation 0: per half-edge */
+    uint32_t *origin, *twin;     /* per half-edge; HS_BORDER: no active face beyond */
+    uint8_t *candidate, *forced; /* per face */
+
+    /* Vertices: the first `vertices` of each array */
+    uint32_t vertices;
+    hs_vertex *vertex;
+    float (*clip)[4]; /* between transform and quantize */
+    hs_sum *sum;      /* of this generation's faces, if the step is odd */
+    uint8_t *mark;    /* of this generation's faces; MARK_ACTIVE wherever there is one */
+    uint8_t *sent;    /* 1: is in the output */
+
+    /* What the stages leave for each other, per face of this generation */
+    int32_t (*point)[4]; /* face point (odd step) or inherited edge point (even step) */
+    uint8_t *face_mark;
+    uint8_t *decision; /* FACE_SELECTED | FACE_REFINED */
+    uint32_t *number;  /* of the new vertex, where refined */
+    uint32_t selected, refined;
+    uint64_t refined_sides; /* of all refined faces; their children are half as many at most */
+    bool last;              /* this step's children are final: they leave at once */
+    bool finish;            /* nothing is refined any more: all active faces leave */
+
+    /* The next generation in the making; golden.c swaps it in */
+    uint32_t *child; /* per half-edge: the quad of its edge, HS_BORDER where the edge is kept */
+    uint32_t *next_origin, *next_twin;
+    uint8_t *next_candidate, *next_forced;
+    uint32_t next_faces;
+
+    /* Output */
+    hs_packet *out;
+    size_t group; /* word of the vertex group that is still open, 0 if none is */
+    uint32_t vertices_sent, faces_sent, triangles_sent;
+    hs_generation count; /* of this generation */
+
+    size_t vertex_room, face_room, halfedge_room; /* elements allocated */
+    bool exhausted;                               /* an allocation failed; what follows is void */
+} hs_state;
+
+/* Makes room for this many elements, keeping what is there. False (and s->exhausted) if there is
+ * no memory. golden.c. */
+bool hs_state_reserve(hs_state *s, size_t vertices, size_t faces, size_t halfedges);
+
+/* The stages. receive and transform set status and error_position where the packet is at fault. */
+void hs_stage_receive(hs_state *s, const hs_packet *in);
+bool hs_stage_transform(hs_state *s, uint32_t vertex, const float position[4], uint32_t *row);
+void hs_stage_quantize(hs_state *s);
+void hs_stage_classify(hs_state *s);
+void hs_stage_select(hs_state *s);
+void hs_stage_guard(hs_state *s);
+void hs_stage_smooth(hs_state *s);
+void hs_stage_split(hs_state *s);
+
+/* The emit stage, an operation at a time. */
+void hs_emit_header(hs_state *s);
+void hs_emit_vertex(hs_state *s, uint32_t vertex);
+void hs_emit_face(hs_state *s, const uint32_t *vertex, uint32_t sides, uint32_t generation,
+                  bool candidate);
+void hs_emit_trailer(hs_state *s);
+
+static inline uint32_t hs_face_first(const hs_state *s, uint32_t f) {
+    return s->generation ? 4 * f : s->first[f];
+}
+
+static inline uint32_t hs_face_sides(const hs_state *s, uint32_t f) {
+    return s->generation ? 4 : s->first[f + 1] - s->first[f];
+}
+
+/* The active face beyond a half-edge's twin, which must exist. */
+static inline uint32_t hs_face_of(const hs_state *s, uint32_t h) {
+    return s->generation ? h >> 2 : s->face[h];
+}
+
+/* True if step g -> g+1 is an odd one: it makes face and edge points and moves vertices. */
+static inline bool hs_odd_step(const hs_state *s) {
+    return !(s->generation & 1);
+}
+
+#endif
