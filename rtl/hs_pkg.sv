@@ -47,6 +47,16 @@ package hs_pkg;
   localparam logic [31:0] DIVIDEND_BITS = 32'd48;
   // a component of a cross product of two positions
   localparam logic [31:0] CROSS_BITS = 32'd63;
+  // begin a packet: header record
+  localparam logic [31:0] OP_HEADER = 32'd0;
+  // a vertex's number and position
+  localparam logic [31:0] OP_VERTEX = 32'd1;
+  // up to four final faces with 3 or 4 sides
+  localparam logic [31:0] OP_FACES = 32'd2;
+  // a corner of a final face with any number of sides
+  localparam logic [31:0] OP_CORNER = 32'd3;
+  // end the packet: trailer and end records
+  localparam logic [31:0] OP_TRAILER = 32'd4;
   // the identity register: the bytes tSfh
   localparam logic [31:0] IDENTITY = 32'h68665374;
 
