@@ -1,0 +1,293 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * Claims about the shapes that the tool makes (model/shape.h).
+ */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "shape.h"
+
+/* What is counted of a mesh. Sides and valences of 15 and more are counted as 15. */
+typedef struct census {
+    uint32_t sides[16], valences[16];
+    uint32_t border, border_loops;
+    long euler;           /* vertices - edges + faces */
+    uint32_t components;  /* of faces joined by edges */
+    double volume;        /* positive: faces are counter-clockwise seen from outside */
+    double smallest_area; /* of all faces, by their vector areas */
+    double repeated_corners;
+} census;
+
+static hs_mesh make(const char *name, uint32_t size, uint32_t seed) {
+    hs_mesh mesh;
+    hs_error err = {0};
+    if (!hs_shape_make(&mesh, name, size, seed, &err)) fail_msg("%s", err.text);
+    return mesh;
+}
+
+static uint32_t smaller(uint32_t a, uint32_t b) {
+    return a < b ? a : b;
+}
+
+static uint32_t root(uint32_t *parent, uint32_t f) {
+    while (parent[f] != f)
+        f = parent[f] = parent[parent[f]];
+    return f;
+}
+
+static uint32_t count_components(const hs_mesh *m) {
+    uint32_t *parent = malloc(m->faces * sizeof *parent), count = m->faces;
+    for (uint32_t f = 0; f < m->faces; f++)
+        parent[f] = f;
+    for (uint32_t h = 0; h < m->halfedges; h++) {
+        if (m->twin[h] == HS_BORDER) continue;
+        uint32_t a = root(parent, m->face[h]), b = root(parent, m->face[m->twin[h]]);
+        count -= a != b;
+        parent[a] = b;
+    }
+    free(parent);
+    return count;
+}
+
+/* Walks along the boundary: from h to the border half-edge that leaves h's end. */
+static uint32_t count_border_loops(const hs_mesh *m) {
+    uint8_t *seen = calloc(m->halfedges, 1);
+    uint32_t loops = 0;
+    for (uint32_t start = 0; start < m->halfedges; start++) {
+        if (m->twin[start] != HS_BORDER || seen[start]) continue;
+        loops++;
+        for (uint32_t h = start; !seen[h];) {
+            seen[h] = 1;
+            for (h = hs_next(m, h); m->twin[h] != HS_BORDER;)
+                h = hs_next(m, m->twin[h]);
+        }
+    }
+    free(seen);
+    return loops;
+}
+
+static void cross(const double a[3], const double b[3], double out[3]) {
+    for (int i = 0; i < 3; i++)
+        out[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
+}
+
+/* A face's vector area (its length is the area of a flat face), and its share of the volume. */
+static void measure_face(const hs_mesh *m, uint32_t f, census *c) {
+    double area[3] = {0}, centre[3] = {0}, volume = 0;
+    uint32_t first = m->first[f], sides = hs_sides(m, f);
+    for (uint32_t i = 0; i < sides; i++) {
+        const float *p = m->position + 4 * m->origin[first + i];
+        const float *q = m->position + 4 * m->origin[first + (i + 1) % sides];
+        double a[3] = {p[0], p[1], p[2]}, b[3] = {q[0], q[1], q[2]}, ab[3];
+        cross(a, b, ab);
+        for (int k = 0; k < 3; k++) {
+            area[k] += ab[k] / 2;
+            centre[k] += a[k] / sides;
+        }
+        for (uint32_t j = 0; j < i; j++)
+            c->repeated_corners += m->origin[first + i] == m->origin[first + j];
+    }
+    for (int k = 0; k < 3; k++)
+        volume += area[k] * centre[k] / 3;
+    c->volume += volume;
+    c->smallest_area =
+        fmin(c->smallest_area, sqrt(area[0] * area[0] + area[1] * area[1] + area[2] * area[2]));
+}
+
+static census take_census(const hs_mesh *m) {
+    census c = {.smallest_area = INFINITY};
+    uint32_t *valence = calloc(m->vertices, sizeof *valence);
+    for (uint32_t h = 0; h < m->halfedges; h++) {
+        c.border += m->twin[h] == HS_BORDER;
+        valence[m->origin[h]]++;
+    }
+    for (uint32_t v = 0; v < m->vertices; v++)
+        c.valences[smaller(valence[v], 15)]++;
+    for (uint32_t f = 0; f < m->faces; f++) {
+        c.sides[smaller(hs_sides(m, f), 15)]++;
+        measure_face(m, f, &c);
+    }
+    free(valence);
+    c.euler = (long)m->vertices - (long)((m->halfedges + c.border) / 2) + (long)m->faces;
+    c.border_loops = count_border_loops(m);
+    c.components = count_components(m);
+    return c;
+}
+
+static bool equal_meshes(const hs_mesh *a, const hs_mesh *b) {
+    return a->vertices == b->vertices && a->faces == b->faces && a->halfedges == b->halfedges &&
+           memcmp(a->position, b->position, a->vertices * 4 * sizeof *a->position) == 0 &&
+           memcmp(a->first, b->first, (a->faces + 1) * sizeof *a->first) == 0 &&
+           memcmp(a->origin, b->origin, a->halfedges * sizeof *a->origin) == 0 &&
+           memcmp(a->twin, b->twin, a->halfedges * sizeof *a->twin) == 0;
+}
+
+/* Every claim that holds for each closed body. */
+static census assert_closed_body(const char *name, uint32_t size, uint32_t seed, long euler) {
+    hs_mesh m = make(name, size, seed);
+    census c = take_census(&m);
+    if (c.border || c.euler != euler || c.components != 1 || c.repeated_corners > 0 ||
+        c.valences[1] || c.valences[2] || !(c.volume > 0) || !(c.smallest_area > 1e-9))
+        fail_msg("%s size %u seed %u: border %u, Euler %ld, components %u, valences 1 and 2: %u "
+                 "%u, volume %g, smallest area %g",
+                 name, size, seed, c.border, c.euler, c.components, c.valences[1], c.valences[2],
+                 c.volume, c.smallest_area);
+    hs_mesh_free(&m);
+    return c;
+}
+
+static uint32_t faces_of(const census *c) {
+    uint32_t faces = 0;
+    for (int n = 0; n < 16; n++)
+        faces += c->sides[n];
+    return faces;
+}
+
+/* --- All shapes --------------------------------------------------------------------------------
+ */
+
+static void every_shape_but_the_grid_is_a_closed_body_with_its_faces_outward(void **state) {
+    (void)state;
+    for (const hs_shape *s = hs_shapes; s->name; s++)
+        if (strcmp(s->name, "grid") != 0)
+            assert_closed_body(s->name, 0, 2, strcmp(s->name, "torus") == 0 ? 0 : 2);
+}
+
+static void the_same_name_size_and_seed_make_the_same_mesh(void **state) {
+    (void)state;
+    for (const hs_shape *s = hs_shapes; s->name; s++) {
+        hs_mesh a = make(s->name, 0, 7), b = make(s->name, 0, 7), other = make(s->name, 0, 9);
+        assert_true(equal_meshes(&a, &b));
+        assert_int_equal(equal_meshes(&a, &other), !s->seeded);
+        hs_mesh_free(&a);
+        hs_mesh_free(&b);
+        hs_mesh_free(&other);
+    }
+}
+
+static void a_size_of_0_is_the_default_size(void **state) {
+    (void)state;
+    for (const hs_shape *s = hs_shapes; s->name; s++) {
+        hs_mesh a = make(s->name, 0, 1), b = make(s->name, s->size, 1);
+        assert_true(equal_meshes(&a, &b));
+        hs_mesh_free(&a);
+        hs_mesh_free(&b);
+    }
+}
+
+static void an_unknown_name_is_answered_with_the_names(void **state) {
+    (void)state;
+    hs_mesh mesh;
+    hs_error err = {0};
+    assert_false(hs_shape_make(&mesh, "teapot", 0, 0, &err));
+    assert_int_equal(err.code, HS_EXIT_USAGE);
+    assert_int_equal(mesh.faces, 0);
+    assert_non_null(strstr(err.text, "'teapot'"));
+    for (const hs_shape *s = hs_shapes; s->name; s++)
+        assert_non_null(strstr(err.text, s->name));
+}
+
+static void a_size_out_of_range_is_answered_with_the_range(void **state) {
+    (void)state;
+    hs_mesh mesh;
+    for (const hs_shape *s = hs_shapes; s->name; s++) {
+        hs_error err = {0};
+        assert_false(hs_shape_make(&mesh, s->name, s->max_size + 1, 0, &err));
+        assert_int_equal(err.code, HS_EXIT_USAGE);
+        assert_int_equal(mesh.faces, 0);
+        assert_non_null(strstr(err.text, s->name));
+        if (s->min_size > 1) assert_false(hs_shape_make(&mesh, s->name, s->min_size - 1, 0, &err));
+    }
+}
+
+/* --- One by one --------------------------------------------------------------------------------
+ */
+
+static void the_simple_shapes_have_the_faces_they_should(void **state) {
+    (void)state;
+    census c = assert_closed_body("cube", 1, 0, 2);
+    assert_int_equal(c.sides[4], 6);
+    assert_true(fabs(c.volume - 8) < 1e-6);
+    c = assert_closed_body("cube", 5, 0, 2);
+    assert_int_equal(c.sides[4], 150);
+    c = assert_closed_body("tetrahedron", 0, 0, 2);
+    assert_int_equal(c.sides[3], 4);
+    assert_true(fabs(c.volume - 8.0 / 3) < 1e-6);
+    c = assert_closed_body("icosahedron", 0, 0, 2);
+    assert_int_equal(c.sides[3], 20);
+    assert_int_equal(c.valences[5], 12);
+    assert_true(fabs(c.volume - 2.536150) < 1e-5);
+    c = assert_closed_body("torus", 10, 0, 0);
+    assert_int_equal(c.sides[4], 50);
+    assert_int_equal(c.valences[4], 50);
+}
+
+static void the_grid_has_one_boundary_and_faces_the_viewer(void **state) {
+    (void)state;
+    hs_mesh m = make("grid", 3, 0);
+    census c = take_census(&m);
+    assert_int_equal(m.faces, 9);
+    assert_int_equal(c.sides[4], 9);
+    assert_int_equal(c.border, 12);
+    assert_int_equal(c.border_loops, 1);
+    assert_int_equal(c.euler, 1);
+    assert_int_equal(c.components, 1);
+    for (uint32_t f = 0; f < m.faces; f++) {
+        const float *a = m.position + 4 * m.origin[4 * f];
+        const float *b = m.position + 4 * m.origin[4 * f + 1];
+        const float *d = m.position + 4 * m.origin[4 * f + 3];
+        assert_true((b[0] - a[0]) * (d[1] - a[1]) - (b[1] - a[1]) * (d[0] - a[0]) > 0);
+        assert_true(a[2] == 0);
+    }
+    hs_mesh_free(&m);
+}
+
+static void
+mixed_has_every_valence_from_3_to_12_and_every_number_of_sides_from_3_to_9(void **state) {
+    (void)state;
+    census c = assert_closed_body("mixed", 0, 0, 2);
+    for (int n = 3; n <= 12; n++)
+        assert_true(c.valences[n] > 0);
+    for (int n = 3; n <= 9; n++)
+        assert_true(c.sides[n] > 0);
+    for (int n = 13; n < 16; n++)
+        assert_int_equal(c.valences[n], 0);
+    for (int n = 10; n < 16; n++)
+        assert_int_equal(c.sides[n], 0);
+}
+
+static void fifty_seeds_of_random_are_closed_bodies_of_about_the_size_asked_for(void **state) {
+    (void)state;
+    for (uint32_t seed = 0; seed < 50; seed++) {
+        uint32_t size = 24 + 17 * seed;
+        census c = assert_closed_body("random", size, seed, seed % 2 ? 0 : 2);
+        assert_in_range(faces_of(&c), size * 3 / 4, size * 5 / 4);
+        assert_true(c.sides[3] > 0 && c.sides[4] > 0 && c.sides[5] > 0);
+        assert_true(c.valences[3] > 0 && c.valences[4] > 0);
+        for (int n = 13; n < 16; n++)
+            assert_true(c.sides[n] == 0 && c.valences[n] == 0);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_shape_but_the_grid_is_a_closed_body_with_its_faces_outward),
+        cmocka_unit_test(the_same_name_size_and_seed_make_the_same_mesh),
+        cmocka_unit_test(a_size_of_0_is_the_default_size),
+        cmocka_unit_test(an_unknown_name_is_answered_with_the_names),
+        cmocka_unit_test(a_size_out_of_range_is_answered_with_the_range),
+        cmocka_unit_test(the_simple_shapes_have_the_faces_they_should),
+        cmocka_unit_test(the_grid_has_one_boundary_and_faces_the_viewer),
+        cmocka_unit_test(
+            mixed_has_every_valence_from_3_to_12_and_every_number_of_sides_from_3_to_9),
+        cmocka_unit_test(fifty_seeds_of_random_are_closed_bodies_of_about_the_size_asked_for),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
