@@ -3,7 +3,7 @@
  * Output packets, decoded and checked. The words come from hardware under test, so nothing in them
  * is believed: a first pass walks the records and counts, a second fills arrays of just that size.
  *
- *   header | (vertices, 1 to 4 positions)* and (face, more*)* in any order | trailer | end
+ *   header | any number of: (vertices, 1 to 4 positions) or (face, more*) | trailer | end
  */
 #include "stream.h"
 
@@ -56,8 +56,10 @@ static float float_of(uint32_t word) {
 
 typedef struct counts {
     uint32_t vertices, faces, triangles, corners;
-    uint32_t generation; /* the latest one seen */
-    bool closing;        /* a triangle left in it, so that it may have been the last active mesh */
+    uint32_t generation; /* the largest one seen */
+    bool grouped;        /* vertices of that generation were sent */
+    bool interleaved;    /* faces of the one before followed: it is the last step's result */
+    bool cut;            /* in that generation, a triangle (v, w, F) left */
 } counts;
 
 typedef struct reader {
@@ -97,15 +99,37 @@ static bool check_numbers(const reader *in, size_t at, uint32_t used) {
     return true;
 }
 
-/* Generations never go back. */
-static bool check_generation(const reader *in, size_t at, counts *sum) {
+static bool check_depth(const reader *in, size_t at, counts *sum) {
     uint32_t generation = generation_of(in->packet->word + at);
-    if (generation < sum->generation)
-        return wrong(in, at, "generation %u after generation %u", generation, sum->generation);
     if (generation > HS_MAX_DEPTH)
         return wrong(in, at, "generation %u is deeper than %d", generation, HS_MAX_DEPTH);
-    if (generation > sum->generation) sum->closing = false;
-    sum->generation = generation;
+    if (generation > sum->generation) {
+        if (sum->interleaved) return wrong(in, at, "generation %u behind the last one", generation);
+        sum->generation = generation;
+        sum->grouped = sum->cut = false;
+    }
+    return true;
+}
+
+/* Vertices never go back to an earlier generation; in the last step they precede the quads. */
+static bool check_vertex_generation(const reader *in, size_t at, counts *sum) {
+    uint32_t generation = generation_of(in->packet->word + at);
+    if (generation < sum->generation || (generation == sum->generation && sum->interleaved))
+        return wrong(in, at, "vertices of generation %u behind faces of generation %u", generation,
+                     sum->generation);
+    if (!check_depth(in, at, sum)) return false;
+    sum->grouped = true;
+    return true;
+}
+
+/* Faces go back by one in the last step alone, whose quads leave among the faces that it ends;
+ * they need no vertices of their own generation. */
+static bool check_face_generation(const reader *in, size_t at, counts *sum) {
+    uint32_t generation = generation_of(in->packet->word + at);
+    if (generation >= sum->generation) return check_depth(in, at, sum);
+    if (generation + 1 < sum->generation || sum->grouped)
+        return wrong(in, at, "generation %u behind generation %u", generation, sum->generation);
+    sum->interleaved = true;
     return true;
 }
 
@@ -132,15 +156,18 @@ static bool check_group(const reader *in, size_t at, size_t left, counts *sum, b
     uint32_t count = group_of(word), before = sum->generation;
     if (!check_unused(in, at, 0xff00)) return false;
     if (count < 1 || count > 4) return wrong(in, at, "a group of %u vertices", count);
-    if (!check_generation(in, at, sum) || !check_numbers(in, at, count)) return false;
+    if (!check_vertex_generation(in, at, sum) || !check_numbers(in, at, count)) return false;
     if (*short_group && before == sum->generation)
         return wrong(in, at, "the group before it has fewer than 4 vertices");
     if (count > left) return wrong(in, at, "the packet ends inside the group");
     double bound = ldexp(1, (int32_t)in->packet->word[2]);
-    for (size_t i = 4; i < 4 + 4 * (size_t)count; i++)
+    for (size_t i = 4; i < 4 + 4 * (size_t)count; i++) {
+        if (i % 4 == 0 && is_tagged(word + i))
+            return wrong(in, at + i, "the group before it announces %u positions", count);
         if (!(fabs((double)float_of(word[i])) < bound))
             return wrong(in, at + i, "%g is not below the block's 2^%" PRId32,
                          (double)float_of(word[i]), (int32_t)in->packet->word[2]);
+    }
     sum->vertices += count;
     *short_group = count < 4;
     *records = 1 + count;
@@ -152,15 +179,16 @@ static bool check_face(const reader *in, size_t at, size_t left, counts *sum, si
     const uint32_t *word = in->packet->word + at;
     uint32_t sides = sides_of(word);
     if (!check_unused(in, at, 0xe0000)) return false;
-    if (sides < HS_MIN_SIDES) return wrong(in, at, "a face of %u sides", sides);
-    if (!check_generation(in, at, sum) || !check_numbers(in, at, sides < 4 ? sides : 4))
+    if (sides < HS_MIN_SIDES || (sides > 4 && generation_of(word)))
+        return wrong(in, at, "a face of %u sides in generation %u", sides, generation_of(word));
+    if (!check_face_generation(in, at, sum) || !check_numbers(in, at, sides < 4 ? sides : 4))
         return false;
     uint32_t more = sides > 4 ? (sides - 4 + 3) / 4 : 0;
     if (more > left) return wrong(in, at, "the packet ends inside the face");
     for (uint32_t i = 1; i <= more; i++) {
         size_t here = at + 4 * (size_t)i;
         uint32_t rest = sides - 4 * i, count = rest < 4 ? rest : 4;
-        uint32_t expected = hs_tag(HS_RECORD_MORE, count << 8 | sum->generation);
+        uint32_t expected = hs_tag(HS_RECORD_MORE, count << 8 | generation_of(word));
         if (word[4 * i] != expected)
             return wrong(in, here, "0x%08x instead of 0x%08x, which is due for the face",
                          word[4 * i], expected);
@@ -169,7 +197,8 @@ static bool check_face(const reader *in, size_t at, size_t left, counts *sum, si
     sum->faces++;
     sum->corners += sides;
     sum->triangles += sides == 3;
-    sum->closing |= sides == 3;
+    if (generation_of(word) == sum->generation && sides == 3 && !(word[0] >> 16 & 1))
+        sum->cut = true;
     *records = 1 + more;
     return true;
 }
@@ -204,8 +233,8 @@ static bool check_end(const reader *in, size_t at, const counts *sum) {
     if (!is_tagged(word) || kind_of(word) != HS_RECORD_END)
         return wrong(in, at, "the packet does not end with an end record");
     if (!check_unused(in, at, 0xfff00)) return false;
-    /* Faces that all became triangles leave an empty mesh to the next generation. */
-    if (generation != sum->generation && !(sum->closing && generation == sum->generation + 1))
+    /* Refined faces that all became triangles leave an empty mesh to the next generation. */
+    if (generation != sum->generation && !(sum->cut && generation == sum->generation + 1))
         return wrong(in, at, "generation %u, but faces left in generation %u", generation,
                      sum->generation);
     if (word[1] != sum->triangles)

@@ -1,0 +1,559 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * Packets: what encode writes is what docs/stream.md says, what decode accepts is an output packet
+ * and nothing else, and frames bring packets back as they were.
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "golden.h"
+#include "stream.h"
+
+/* --- A cube, and an output packet made by hand -------------------------------------------------
+ */
+
+static const float cube_position[8][4] = {{-1, -1, -1, 1}, {1, -1, -1, 1}, {-1, 1, -1, 1},
+                                          {1, 1, -1, 1},   {-1, -1, 1, 1}, {1, -1, 1, 1},
+                                          {-1, 1, 1, 1},   {1, 1, 1, 1}};
+static const uint32_t cube_sides[6] = {4, 4, 4, 4, 4, 4};
+static const uint32_t cube_corner[24] = {4, 5, 7, 6, 1, 0, 2, 3, 5, 1, 3, 7,
+                                         0, 4, 6, 2, 6, 7, 3, 2, 0, 1, 5, 4};
+static const float identity[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+
+static void make_cube(hs_mesh *mesh) {
+    hs_error err;
+    hs_soup soup = {.name = "cube",
+                    .vertices = 8,
+                    .position = cube_position[0],
+                    .faces = 6,
+                    .sides = cube_sides,
+                    .corner = cube_corner};
+    assert_true(hs_mesh_build(mesh, &soup, NULL, &err));
+}
+
+static void put(hs_packet *packet, uint32_t w0, uint32_t w1, uint32_t w2, uint32_t w3) {
+    hs_error err;
+    const uint32_t record[4] = {w0, w1, w2, w3};
+    assert_true(hs_packet_append(packet, record, 1, &err));
+}
+
+/* A record with up to four vertex numbers. */
+static void put_numbers(hs_packet *packet, uint32_t w0, uint32_t a, uint32_t b, uint32_t c,
+                        uint32_t d) {
+    put(packet, w0, a | b << 24, b >> 8 | c << 16, c >> 16 | d << 8);
+}
+
+static void put_positions(hs_packet *packet, uint32_t count) {
+    for (uint32_t i = 0; i < count; i++)
+        put(packet, 0x3f000000 + i, 0xbf000000, 0x3e800000, 0x3f800000);
+}
+
+static void put_end(hs_packet *packet, uint32_t generation, uint32_t triangles) {
+    put(packet, hs_tag(HS_RECORD_END, generation), triangles, 0,
+        hs_crc(0, packet->word, packet->words));
+}
+
+/* Every kind of record: a triangle and a 9-gon of generation 0, a cut triangle and a quad of
+ * generation 1, a quad of the last step between two faces of the step before.
+ * Words where the records begin are in the comments. */
+static void make_sample(hs_packet *packet) {
+    *packet = (hs_packet){.view = 7};
+    put(packet, hs_tag(HS_RECORD_HEADER, HS_STREAM_VERSION), 7, 1, 0);                   /* 0 */
+    put_numbers(packet, hs_tag(HS_RECORD_VERTICES, 4 << 16), 0, 0xabcdef, 0xffffff, 17); /* 4 */
+    put_positions(packet, 4);                                                            /* 8 */
+    put_numbers(packet, hs_tag(HS_RECORD_VERTICES, 4 << 16), 21, 22, 23, 24);            /* 24 */
+    put_positions(packet, 4);                                                            /* 28 */
+    put_numbers(packet, hs_tag(HS_RECORD_VERTICES, 1 << 16), 25, 0, 0, 0);               /* 44 */
+    put_positions(packet, 1);                                                            /* 48 */
+    put_numbers(packet, hs_tag(HS_RECORD_FACE, 1 << 16 | 3 << 8), 17, 0xffffff, 0, 0);   /* 52 */
+    put_numbers(packet, hs_tag(HS_RECORD_FACE, 1 << 16 | 9 << 8), 0, 0xabcdef, 0xffffff, 17);
+    put_numbers(packet, hs_tag(HS_RECORD_MORE, 4 << 8), 21, 22, 23, 24);              /* 60 */
+    put_numbers(packet, hs_tag(HS_RECORD_MORE, 1 << 8), 25, 0, 0, 0);                 /* 64 */
+    put_numbers(packet, hs_tag(HS_RECORD_VERTICES, 2 << 16 | 1), 26, 27, 0, 0);       /* 68 */
+    put_positions(packet, 2);                                                         /* 72 */
+    put_numbers(packet, hs_tag(HS_RECORD_FACE, 3 << 8 | 1), 25, 26, 27, 0);           /* 80 */
+    put_numbers(packet, hs_tag(HS_RECORD_FACE, 4 << 8 | 2), 21, 26, 22, 27);          /* 84 */
+    put_numbers(packet, hs_tag(HS_RECORD_FACE, 1 << 16 | 4 << 8 | 1), 21, 22, 23, 0); /* 88 */
+    put(packet, hs_tag(HS_RECORD_TRAILER, HS_STATUS_OK), HS_NO_POSITION, 11, 5);      /* 92 */
+    put_end(packet, 2, 2);                                                            /* 96 */
+}
+
+static void make_refused(hs_packet *packet) {
+    *packet = (hs_packet){.view = 7};
+    put(packet, hs_tag(HS_RECORD_HEADER, HS_STREAM_VERSION), 7, 0, 0);
+    put(packet, hs_tag(HS_RECORD_TRAILER, HS_STATUS_BAD_CRC), 123, 0, 0);
+    put_end(packet, 0, 0);
+}
+
+static void fix_crc(hs_packet *packet) {
+    packet->word[packet->words - 1] = hs_crc(0, packet->word, packet->words - 4);
+}
+
+/* --- Encode --------------------------------------------------------------------------------------
+ */
+
+static void crc_is_that_of_the_standard(void **state) {
+    (void)state;
+    /* zlib's own check value is of the 9 bytes "123456789", so its first 8 stand here: the value
+     * is that of Python's binascii.crc32(b"12345678"). */
+    const uint32_t word[2] = {0x34333231, 0x38373635};
+    assert_int_equal(hs_crc(0, word, 2), 0x9ae0daaf);
+    assert_int_equal(hs_crc(hs_crc(0, word, 1), word + 1, 1), 0x9ae0daaf);
+    assert_int_equal(hs_crc(0, word, 0), 0);
+    /* More than any buffer inside: binascii.crc32(bytes(4 * 4097)). */
+    uint32_t *zeros = calloc(4097, 4);
+    assert_non_null(zeros);
+    assert_int_equal(hs_crc(0, zeros, 4097), 0xf8a83595);
+    free(zeros);
+}
+
+static void an_input_packet_is_laid_out_as_documented(void **state) {
+    (void)state;
+    hs_mesh mesh;
+    make_cube(&mesh);
+    mesh.forced[1] = 9;
+    float matrix[16];
+    memcpy(matrix, identity, sizeof matrix);
+    matrix[7] = -0.0f;
+    const hs_settings settings = {4, 8, 2, true, true};
+    hs_packet packet = {0};
+    hs_error err;
+    assert_true(hs_packet_encode(&packet, 5, &mesh, matrix, &settings, &err));
+    assert_int_equal(packet.view, 5);
+    assert_int_equal(packet.words, 4 * (2 + 4 + 8 + 24 + 1));
+    const uint32_t *w = packet.word;
+    const uint32_t header[8] = {0x49325348, 1, 3, 8, 6, 24, 0x00020804, 0};
+    assert_memory_equal(w, header, sizeof header);
+    assert_memory_equal(w + 8, matrix, sizeof matrix);
+    assert_int_equal(w[8 + 7], 0x80000000);
+    assert_memory_equal(w + 24, cube_position, sizeof cube_position);
+
+    for (uint32_t h = 0; h < 24; h++) {
+        const uint32_t *corner = w + 24 + 32 + 4 * h;
+        assert_int_equal(corner[0], cube_corner[h]);
+        /* Its twin runs from where it ends to where it begins. */
+        uint32_t t = corner[1], next = h % 4 == 3 ? h - 3 : h + 1;
+        assert_true(t < 24);
+        uint32_t after = t % 4 == 3 ? t - 3 : t + 1;
+        assert_int_equal(cube_corner[t], cube_corner[next]);
+        assert_int_equal(cube_corner[after], cube_corner[h]);
+        assert_int_equal(corner[2], h % 4 << 16 | (h / 4 == 1 ? 9u : 0u) << 8 | 4);
+        assert_int_equal(corner[3], 0);
+    }
+    const uint32_t *end = w + packet.words - 4;
+    assert_int_equal(end[0], 0x45325348);
+    assert_int_equal(end[1] | end[2], 0);
+    assert_int_equal(end[3], hs_crc(0, w, packet.words - 4));
+
+    /* A second view replaces the first. */
+    assert_true(hs_packet_encode(&packet, 6, &mesh, matrix, &(hs_settings){0}, &err));
+    assert_int_equal(packet.view, 6);
+    assert_int_equal(packet.words, 4 * (2 + 4 + 8 + 24 + 1));
+    assert_int_equal(packet.word[2], 0);
+    hs_packet_free(&packet);
+    hs_mesh_free(&mesh);
+}
+
+/* --- Decode
+ * ---------------------------------------------------------------------------------------- */
+
+static void a_packet_of_every_kind_of_record_decodes(void **state) {
+    (void)state;
+    hs_packet packet;
+    make_sample(&packet);
+    hs_output out;
+    hs_error err;
+    if (!hs_output_decode(&out, &packet, &err)) fail_msg("%s", err.text);
+    assert_int_equal(out.view, 7);
+    assert_int_equal(out.status, HS_STATUS_OK);
+    assert_int_equal(out.error_position, HS_NO_POSITION);
+    assert_int_equal(out.exponent, 1);
+    assert_int_equal(out.generations, 2);
+    assert_int_equal(out.vertices, 11);
+    assert_int_equal(out.faces, 5);
+    assert_int_equal(out.triangles, 2);
+    assert_int_equal(out.corners, 23);
+    const uint32_t number[11] = {0, 0xabcdef, 0xffffff, 17, 21, 22, 23, 24, 25, 26, 27};
+    const uint32_t first[6] = {0, 3, 12, 15, 19, 23};
+    const uint32_t corner[23] = {3, 2, 0,  0, 1, 2, 3,  4, 5, 6, 7, 8,
+                                 8, 9, 10, 4, 9, 5, 10, 4, 5, 6, 0};
+    assert_memory_equal(out.number, number, sizeof number);
+    assert_memory_equal(out.first, first, sizeof first);
+    assert_memory_equal(out.corner, corner, sizeof corner);
+    assert_memory_equal(out.generation, ((uint8_t[]){0, 0, 1, 2, 1}), 5);
+    assert_memory_equal(out.candidate, ((uint8_t[]){1, 1, 0, 0, 1}), 5);
+    assert_memory_equal(out.position, packet.word + 8, 64);
+    assert_memory_equal(out.position + 40, packet.word + 76, 16);
+    hs_output_free(&out);
+    hs_packet_free(&packet);
+}
+
+static void a_refused_view_decodes_without_vertices_and_faces(void **state) {
+    (void)state;
+    hs_packet packet;
+    make_refused(&packet);
+    hs_output out;
+    hs_error err;
+    if (!hs_output_decode(&out, &packet, &err)) fail_msg("%s", err.text);
+    assert_int_equal(out.status, HS_STATUS_BAD_CRC);
+    assert_int_equal(out.error_position, 123);
+    assert_int_equal(out.vertices + out.faces + out.corners, 0);
+    hs_output_free(&out);
+    hs_packet_free(&packet);
+}
+
+/* Fails the test unless the packet is refused with a message that says all of `cause`. */
+static void expect_refusal(const hs_packet *packet, const char *cause) {
+    hs_output out;
+    hs_error err = {0};
+    if (hs_output_decode(&out, packet, &err)) {
+        hs_output_free(&out);
+        fail_msg("not detected: %s", cause);
+    }
+    assert_int_equal(err.code, HS_EXIT_STREAM);
+    assert_null(out.position);
+    if (!strstr(err.text, cause)) fail_msg("\"%s\" is not in \"%s\"", cause, err.text);
+}
+
+static void every_corrupted_word_is_detected(void **state) {
+    (void)state;
+    for (int refused = 0; refused < 2; refused++) {
+        hs_packet packet;
+        refused ? make_refused(&packet) : make_sample(&packet);
+        for (size_t i = 0; i < packet.words; i++)
+            for (uint32_t bit = 0; bit < 34; bit++) {
+                uint32_t flip = bit < 32 ? 1u << bit : bit == 32 ? 0xffffffff : 0x00550055;
+                packet.word[i] ^= flip;
+                expect_refusal(&packet, "view 7");
+                packet.word[i] ^= flip;
+            }
+        hs_packet_free(&packet);
+    }
+}
+
+static void every_truncation_is_detected(void **state) {
+    (void)state;
+    hs_packet packet;
+    make_sample(&packet);
+    for (size_t words = packet.words; words-- > 0;) {
+        packet.words = words;
+        expect_refusal(&packet, "view 7");
+    }
+    hs_packet_free(&packet);
+}
+
+static void a_wrong_packet_with_a_right_crc_is_refused_with_its_cause(void **state) {
+    (void)state;
+    static const struct {
+        size_t word;
+        uint32_t value;
+        const char *cause;
+    } fault[] = {
+        {0, 0xff800002, "word 0 (header, version): 0xff800002 is not the header of version 1"},
+        {1, 8, "word 1 (header, view): it is the header of view 8"},
+        {2, 129, "word 2 (header, block exponent): no binary32 has the block exponent 129"},
+        {2, 0xffffff6b, "no binary32 has the block exponent -149"},
+        {3, 1, "word 3 (header, reserved): 0x00000001 in a reserved word"},
+        {4, 0xff940100, "word 4 (head of a group of 4 vertices, generation 0): 0xff940100 sets"},
+        {4, 0xff900000, "a group of 0 vertices"},
+        {4, 0xff950000, "a group of 5 vertices"},
+        {4, 0xff930000, "an unused number is not zero"},
+        {4, 0xff940002, "vertices of generation 0 behind faces of generation 2"},
+        {4, 0xff9400fb, "generation 251 is deeper than 250"},
+        {5, 0x16000000, "vertex 11259375 was not sent"}, /* it became vertex 0xabcd16 */
+        {8, 0x7f800000, "word 8 (position of vertex 0 (x)): inf is not below the block's 2^1"},
+        {13, 0xc0000000, "word 13 (position of vertex 11259375 (y)): -2 is not below"},
+        {19, 0x7fc00000, "word 19 (position of vertex 16777215 (w)): nan is not below"},
+        {20, 0xffb00000, "word 20 (more vertices of no face): the group before it announces 4"},
+        {25, 17 | 22 << 24,
+         "word 25 (numbers 1 and 2 of a group of 4 vertices): vertex 17 is sent"},
+        {45, 25 | 1 << 24, "word 45 (numbers 1 and 2 of a group of 1 vertices): an unused number"},
+        {52, 0x3f800000, "word 52 (position of no vertex (x)): a position that no group announces"},
+        {52, 0xffa30300, "sets reserved bits"},
+        {52, 0xffa10200, "a face of 2 sides in generation 0"},
+        {52, 0xfff10300, "word 52 (record of unknown kind 7): this kind of record has no place"},
+        {52, 0xffc10300, "word 52 (trailer, status): this kind of record has no place here"},
+        {53, 18 | 0xffu << 24, "word 53 (face 0 of generation 0, vertices 1 and 2): vertex 18 was"},
+        {54, 0x0011ffff,
+         "word 54 (face 0 of generation 0, vertices 2 and 3): the face has vertex 17"},
+        {55, 1 << 8, "word 55 (face 0 of generation 0, vertices 3 and 4): an unused number is not"},
+        {56, 0xffa10901, "a face of 9 sides in generation 1"},
+        {60, 0xffb00300, "word 60 (face 1 of generation 0, head of 3 more vertices): 0xffb00300"},
+        {60, 0xffb00401, "0xffb00401 instead of 0xffb00400, which is due for the face"},
+        {64, 0xffb00200, "instead of 0xffb00100"},
+        {65, 99, "word 65 (face 1 of generation 0, vertices 9 and 10): vertex 99 was not sent"},
+        {66, 1, "word 65 (face 1 of generation 0, vertices 9 and 10): an unused number"},
+        {68, 0xff920002, "generation 1 behind generation 2"},
+        {80, 0xffa00300,
+         "word 80 (face 2 of generation 0, head: 3 sides, no candidate): generation 0"},
+        {84, 0xffa00403, "generation 1 behind generation 3"},
+        {88, 0xffa10400, "generation 0 behind generation 2"},
+        {92, 0xffd00000, "word 92 (end, last generation): no trailer before the last record"},
+        {92, 0xffc00100, "sets reserved bits"},
+        {92, 0xffc00002, "2 is no status"},
+        {92, 0xffc00010, "a refused view (BAD_MAGIC) has a block exponent"},
+        {93, 0, "word 93 (trailer, position): position 0x00000000 with status OK"},
+        {94, 10, "word 94 (trailer, vertices sent): it says 10, the packet has 11"},
+        {95, 6, "word 95 (trailer, faces sent): it says 6, the packet has 5"},
+        {96, 0xffc00002, "word 96 (trailer, status): the packet does not end with an end record"},
+        {96, 0xffd00102, "sets reserved bits"},
+        {96, 0xffd00003, "word 96 (end, last generation): generation 3, but faces left in"},
+        {96, 0xffd00001, "generation 1, but faces left in generation 2"},
+        {97, 1, "word 97 (end, triangles sent): it says 1, the packet has 2"},
+        {98, 1, "word 98 (end, reserved): 0x00000001 in a reserved word"},
+    };
+    for (size_t i = 0; i < sizeof fault / sizeof *fault; i++) {
+        hs_packet packet;
+        make_sample(&packet);
+        packet.word[fault[i].word] = fault[i].value;
+        fix_crc(&packet);
+        expect_refusal(&packet, fault[i].cause);
+        hs_packet_free(&packet);
+    }
+}
+
+static void groups_that_are_not_filled_up_are_refused(void **state) {
+    (void)state;
+    hs_packet packet = {.view = 7};
+    put(&packet, hs_tag(HS_RECORD_HEADER, HS_STREAM_VERSION), 7, 1, 0);
+    put_numbers(&packet, hs_tag(HS_RECORD_VERTICES, 1 << 16), 1, 0, 0, 0);
+    put_positions(&packet, 1);
+    put_numbers(&packet, hs_tag(HS_RECORD_VERTICES, 2 << 16), 2, 3, 0, 0);
+    put_positions(&packet, 2);
+    put_numbers(&packet, hs_tag(HS_RECORD_FACE, 3 << 8), 1, 2, 3, 0);
+    put(&packet, hs_tag(HS_RECORD_TRAILER, HS_STATUS_OK), HS_NO_POSITION, 3, 1);
+    put_end(&packet, 0, 1);
+    expect_refusal(&packet, "the group before it has fewer than 4 vertices");
+    /* A new generation may open a group of its own. */
+    packet.word[12] += 1;
+    packet.word[24] += 1;
+    packet.word[32] += 1;
+    fix_crc(&packet);
+    hs_output out;
+    hs_error err;
+    if (!hs_output_decode(&out, &packet, &err)) fail_msg("%s", err.text);
+    hs_output_free(&out);
+    /* The triangle of a step that left nothing active: the generation behind it is reached. */
+    packet.word[32] += 1;
+    if (!hs_output_decode(&out, &packet, &err)) fail_msg("%s", err.text);
+    assert_int_equal(out.generations, 2);
+    hs_output_free(&out);
+    packet.word[32] += 1;
+    expect_refusal(&packet, "generation 3, but faces left in generation 1");
+    hs_packet_free(&packet);
+}
+
+static void hostile_words_are_only_ever_refused_or_decoded(void **state) {
+    (void)state;
+    uint64_t seed = 1;
+    unsigned accepted = 0;
+    for (unsigned round = 0; round < 20000; round++) {
+        hs_packet packet;
+        make_sample(&packet);
+        for (unsigned change = 0; change <= round % 4; change++) {
+            seed = seed * 6364136223846793005u + 1442695040888963407u;
+            size_t at = (size_t)(seed >> 33) % packet.words;
+            seed = seed * 6364136223846793005u + 1442695040888963407u;
+            /* Often a word of the packet itself: a record that is right, in the wrong place. */
+            packet.word[at] =
+                seed >> 63 ? (uint32_t)(seed >> 31) : packet.word[(seed >> 33) % packet.words];
+        }
+        fix_crc(&packet);
+        char text[24];
+        for (size_t i = 0; i < packet.words + 5; i += 1 + round % 7) {
+            memset(text, 'x', sizeof text);
+            hs_output_describe(&packet, i, text, sizeof text);
+            assert_non_null(memchr(text, 0, sizeof text));
+        }
+        hs_output out;
+        hs_error err;
+        if (hs_output_decode(&out, &packet, &err)) {
+            for (uint32_t c = 0; c < out.corners; c++)
+                assert_true(out.corner[c] < out.vertices);
+            accepted++;
+        }
+        hs_output_free(&out);
+        hs_packet_free(&packet);
+    }
+    /* Positions may be anything below 2^E: some changes make another good packet. */
+    assert_true(accepted > 0 && accepted < 20000);
+}
+
+static void what_golden_sends_decodes(void **state) {
+    (void)state;
+    hs_mesh mesh;
+    make_cube(&mesh);
+    hs_golden *golden = hs_golden_new(HS_DEFAULT_LIMITS);
+    assert_non_null(golden);
+    static const hs_settings settings[] = {{0, 0, 0, true, true},
+                                           {0, 0, 4, true, true},
+                                           {0, 0, 5, true, false},
+                                           {4, 8, 0, false, true},
+                                           {4, 7, 0, false, false}};
+    for (size_t i = 0; i < sizeof settings / sizeof *settings; i++) {
+        /* Off the axes, in perspective. */
+        const float matrix[16] = {1, 0.2f, 0.1f, 0.1f, -0.1f, 1, 0.3f, 0,
+                                  0, 0,    -1,   2,    0.1f,  0, -1,   4};
+        hs_packet in = {0}, sent = {0};
+        hs_error err;
+        hs_golden_report report;
+        hs_output out;
+        assert_true(hs_packet_encode(&in, 2, &mesh, matrix, &settings[i], &err));
+        assert_true(hs_golden_run(golden, &in, &sent, &report, &err));
+        assert_int_equal(report.status, HS_STATUS_OK);
+        if (!hs_output_decode(&out, &sent, &err)) fail_msg("settings %zu: %s", i, err.text);
+        assert_int_equal(out.faces, report.faces);
+        assert_int_equal(out.generations + 1, report.generations);
+        /* A cube has 6 faces, and step g makes 12 * 2^g of them. */
+        if (settings[i].uniform)
+            assert_int_equal(out.faces, i == 0 ? 6 : 12u << (settings[i].uniform_depth - 1));
+        hs_output_free(&out);
+        hs_packet_free(&in);
+        hs_packet_free(&sent);
+    }
+    hs_golden_free(golden);
+    hs_mesh_free(&mesh);
+}
+
+/* --- Frames
+ * ------------------------------------------------------------------------------------------ */
+
+/* A file in memory with the sample and a refused view. */
+static uint8_t *write_frames(size_t *size) {
+    hs_packet sample, refused;
+    hs_error err;
+    make_sample(&sample);
+    make_refused(&refused);
+    refused.view = 0xffff;
+    char *bytes = NULL;
+    FILE *file = open_memstream(&bytes, size);
+    assert_non_null(file);
+    assert_true(hs_frame_write(file, &sample, "memory", &err));
+    assert_true(hs_frame_write(file, &refused, "memory", &err));
+    fclose(file);
+    hs_packet_free(&sample);
+    hs_packet_free(&refused);
+    return (uint8_t *)bytes;
+}
+
+static void frames_bring_packets_back(void **state) {
+    (void)state;
+    size_t size, offset = 0;
+    uint8_t *bytes = write_frames(&size);
+    const uint8_t head[16] = {'H', 'S', '2', 'F', 7, 0, 0, 0, 100, 0, 0, 0, 0, 0, 0, 0};
+    assert_memory_equal(bytes, head, 16);
+    assert_int_equal(size, 16 + 400 + 16 + 48);
+    assert_memory_equal(bytes + 16, ((uint8_t[]){1, 0, 0x80, 0xff}), 4); /* little-endian */
+
+    hs_packet packet = {0}, sample;
+    make_sample(&sample);
+    hs_error err;
+    assert_true(hs_frame_read(&packet, bytes, size, &offset, "memory", &err));
+    assert_int_equal(offset, 416);
+    assert_int_equal(packet.view, 7);
+    assert_int_equal(packet.words, sample.words);
+    assert_memory_equal(packet.word, sample.word, 4 * sample.words);
+    assert_true(hs_frame_read(&packet, bytes, size, &offset, "memory", &err));
+    assert_int_equal(offset, size);
+    assert_int_equal(packet.view, 0xffff);
+    assert_int_equal(packet.words, 12);
+    assert_false(hs_frame_read(&packet, bytes, size, &offset, "memory", &err));
+    assert_int_equal(packet.words, 0);
+    hs_packet_free(&packet);
+    hs_packet_free(&sample);
+    free(bytes);
+}
+
+static void a_broken_frame_names_its_byte(void **state) {
+    (void)state;
+    static const struct {
+        size_t byte;
+        uint8_t value;
+        const char *cause;
+    } fault[] = {{0, 'h', "memory: byte 0: 0x46325368 is not the frame's magic word"},
+                 {6, 1, "memory: byte 4: view 65543"},
+                 {8, 101, "memory: byte 8: a packet of 101 words"},
+                 {8, 0, "memory: byte 8: a packet of 0 words"},
+                 {11, 0xff, "memory: byte 16: the file ends inside a packet of 4278190180 words"},
+                 {13, 1, "memory: byte 12: the frame's last word is 0x00000100"}};
+    hs_packet packet = {0};
+    hs_error err;
+    for (size_t i = 0; i < sizeof fault / sizeof *fault; i++) {
+        size_t size, offset = 0;
+        uint8_t *bytes = write_frames(&size);
+        bytes[fault[i].byte] = fault[i].value;
+        assert_false(hs_frame_read(&packet, bytes, size, &offset, "memory", &err));
+        assert_int_equal(err.code, HS_EXIT_STREAM);
+        assert_int_equal(offset, 0);
+        if (!strstr(err.text, fault[i].cause)) fail_msg("%s: %s", fault[i].cause, err.text);
+        free(bytes);
+    }
+    size_t size;
+    uint8_t *bytes = write_frames(&size);
+    for (size_t short_size = 0; short_size < 416; short_size++) {
+        size_t offset = 0;
+        uint8_t *exact = malloc(short_size + 1); /* for the address sanitizer */
+        assert_non_null(exact);
+        memcpy(exact, bytes, short_size);
+        assert_false(hs_frame_read(&packet, exact, short_size, &offset, "memory", &err));
+        free(exact);
+    }
+    free(bytes);
+    hs_packet_free(&packet);
+}
+
+static void what_no_frame_can_hold_is_not_written(void **state) {
+    (void)state;
+    hs_packet packet;
+    hs_error err;
+    make_sample(&packet);
+    char *bytes = NULL;
+    size_t size;
+    FILE *file = open_memstream(&bytes, &size);
+    assert_non_null(file);
+    packet.view = 0x10000;
+    assert_false(hs_frame_write(file, &packet, "memory", &err));
+    packet.view = 1;
+    packet.words = 99;
+    assert_false(hs_frame_write(file, &packet, "memory", &err));
+    packet.words = 0;
+    assert_false(hs_frame_write(file, &packet, "memory", &err));
+    assert_int_equal(err.code, HS_EXIT_STREAM);
+    fclose(file);
+    assert_int_equal(size, 0);
+    free(bytes);
+
+    packet.words = 100;
+    file = fopen("/dev/full", "wb");
+    if (file) {
+        setvbuf(file, NULL, _IONBF, 0);
+        assert_false(hs_frame_write(file, &packet, "/dev/full", &err));
+        assert_int_equal(err.code, HS_EXIT_FILE);
+        fclose(file);
+    }
+    hs_packet_free(&packet);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(crc_is_that_of_the_standard),
+        cmocka_unit_test(an_input_packet_is_laid_out_as_documented),
+        cmocka_unit_test(a_packet_of_every_kind_of_record_decodes),
+        cmocka_unit_test(a_refused_view_decodes_without_vertices_and_faces),
+        cmocka_unit_test(every_corrupted_word_is_detected),
+        cmocka_unit_test(every_truncation_is_detected),
+        cmocka_unit_test(a_wrong_packet_with_a_right_crc_is_refused_with_its_cause),
+        cmocka_unit_test(groups_that_are_not_filled_up_are_refused),
+        cmocka_unit_test(hostile_words_are_only_ever_refused_or_decoded),
+        cmocka_unit_test(what_golden_sends_decodes),
+        cmocka_unit_test(frames_bring_packets_back),
+        cmocka_unit_test(a_broken_frame_names_its_byte),
+        cmocka_unit_test(what_no_frame_can_hold_is_not_written),
+    };
+    return cmocka_run_group_tests_name("stream", tests, NULL, NULL);
+}
