@@ -42,6 +42,8 @@ $(BUILD)/generated: $(BUILD)/gen_pkg
 $(BUILD)/%: $(BUILD)/tests/%.o $(BUILD)/libsim.a $(BUILD)/libhalfstep.a
 	$(CXX) $^ -o $@ -lcmocka $(LIBS)
 
+include tests/fp.mk
+
 # What a bare Debian 12 misses; the stamp keeps later runs from asking again.
 PACKAGES := gcc g++ make verilator yosys libosmesa6-dev libosd-dev libcmocka-dev libjansson-dev \
             libpng-dev zlib1g-dev clang-format cppcheck
@@ -53,4 +55,5 @@ $(BUILD)/packages:
 	    apt-get -qq update && apt-get -qq install -y --no-install-recommends $$missing >/dev/null; fi
 	@touch $@
 
+include sim/rtl.mk
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: Apache-2.0
+# The Verilated RTL: the whole pipeline for the program and the tests that drive it, and single
+# modules for tests of their own.
+
+VERILATOR_INCLUDE := $(shell verilator --getenv VERILATOR_ROOT 2>/dev/null)/include
+# Registers and memories start with seeded random contents, so that a missing reset shows. The
+# waveform writer costs nothing until a file is opened.
+VERILATE := verilator --cc --build -O3 -Wall --assert --x-initial unique --threads 1 \
+            -MAKEFLAGS "-s OPT_FAST=-O2 OPT_SLOW=-O1 OPT_GLOBAL=-O2"
+VERILATED_FLAGS = $(CXXFLAGS) -isystem $(VERILATOR_INCLUDE) -isystem $(VERILATOR_INCLUDE)/vltstd
+
+# What a Verilated model is linked with, compiled once.
+RUNTIME := $(addprefix $(BUILD)/verilated/,verilated.o verilated_threads.o verilated_fst_c.o)
+$(RUNTIME): $(BUILD)/verilated/%.o: | $(BUILD)/packages
+	@mkdir -p $(@D)
+	$(CXX) -std=c++17 -O2 -DVM_TRACE=1 -DVM_TRACE_FST=1 -I$(VERILATOR_INCLUDE) -I$(VERILATOR_INCLUDE)/vltstd \
+	    -c $(VERILATOR_INCLUDE)/$*.cpp -o $@
+
+# --- Single modules -------------------------------------------------------------------------------
+# tests/test_NAME.c drives tests/NAME_top.sv through tests/NAME_shim.cpp, with the class VNAME.
+UNITS := emit
+
+$(UNITS:%=$(BUILD)/verilated/%/log): $(BUILD)/verilated/%/log: tests/%_top.sv $(wildcard rtl/*.sv) | $(BUILD)/packages
+	@mkdir -p $(@D)
+	$(VERILATE) --Mdir $(@D) --prefix V$* --top-module $*_top -y rtl rtl/hs_pkg.sv $< >$@.part 2>&1 \
+	    || { cat $@.part; exit 1; }
+	@mv $@.part $@
+
+$(UNITS:%=$(BUILD)/verilated/%/shim.o): $(BUILD)/verilated/%/shim.o: tests/%_shim.cpp $(BUILD)/verilated/%/log
+	$(CXX) $(VERILATED_FLAGS) -isystem $(@D) -c $< -o $@
+
+$(UNITS:%=$(BUILD)/test_%): $(BUILD)/test_%: $(BUILD)/tests/test_%.o $(BUILD)/verilated/%/shim.o \
+    $(RUNTIME) $(BUILD)/libhalfstep.a
+	$(CXX) $(filter-out %.a,$^) $(BUILD)/verilated/$*/V$*__ALL.a $(BUILD)/libhalfstep.a -o $@ \
+	    -lcmocka -lz -lm -pthread
