@@ -19,3 +19,46 @@ $(FP_DIR)/verilated.o $(FP_DIR)/verilated_threads.o: $(FP_DIR)/Vfp_top__ALL.a ;
 $(BUILD)/test_fp: $(BUILD)/tests/test_fp.o $(FP_LIB)
 	$(CXX) $^ -o $@ -lcmocka -lm -pthread
 
+$(BUILD)/fp_testfloat: $(BUILD)/tests/fp_testfloat.o $(FP_LIB)
+	$(CXX) $^ -o $@ -pthread
+
+# --- Berkeley TestFloat, which Debian ships inside qemu's source ------------------------------------
+# apt gets sources and lists of its own under build/: the machine's Debian mirror (whatever entry of
+# its lists names this release's main suite), asked for sources instead of binaries.
+TF     := $(BUILD)/testfloat
+TF_GEN := $(TF)/berkeley-testfloat-3/build/Linux-x86_64-GCC/testfloat_gen
+# How many vectors level 2 has for an operation with two operands of 32 bits.
+TF_VECTORS := 7496192
+TF_APT := apt-get -qq -o Dir::Etc::sourcelist=/dev/null -o Dir::Etc::sourceparts=$(CURDIR)/$(TF)/apt/parts \
+          -o Dir::State::lists=$(CURDIR)/$(TF)/apt/lists -o Dir::Cache=$(CURDIR)/$(TF)/apt/cache \
+          -o APT::Sandbox::User=root
+
+$(TF)/apt/parts: /etc/os-release
+	@mkdir -p $@ $(TF)/apt/lists/partial $(TF)/apt/cache/archives/partial
+	@. /etc/os-release; for f in /etc/apt/sources.list /etc/apt/sources.list.d/*; do test -e $$f || continue; case $$f in \
+	    *.sources) awk -v suite=$$VERSION_CODENAME 'BEGIN { RS = ""; FS = "\n" } \
+	        { found = 0; \
+	          for (i = 1; i <= NF; i++) { n = split($$i, w, /[ \t]+/); \
+	              if (w[1] == "Suites:") for (k = 2; k <= n; k++) if (w[k] == suite) found = 1 } \
+	          if (found) { sub(/Types:[^\n]*/, "Types: deb-src"); print $$0 "\n" } }' $$f >>$@/debian.sources ;; \
+	    *.list) awk -v suite=$$VERSION_CODENAME '$$1 == "deb" { \
+	        for (k = 2; k <= NF; k++) if ($$k == suite) { $$1 = "deb-src"; print; break } }' \
+	        $$f >>$@/debian.list ;; \
+	    esac; done; test -s $@/debian.sources || test -s $@/debian.list || \
+	    { echo "testfloat: no entry of /etc/apt names $$VERSION_CODENAME; add its deb-src line"; rm -r $@; exit 1; }
+
+$(TF)/unpacked: | $(TF)/apt/parts
+	$(TF_APT) update
+	cd $(TF) && $(TF_APT) source --download-only qemu
+	cd $(TF) && tar -xf $$(ls qemu_*.orig.tar.* | grep -v '[.]asc$$') --strip-components=3 --wildcards \
+	    '*/tests/fp/berkeley-softfloat-3' '*/tests/fp/berkeley-testfloat-3'
+	@touch $@
+
+$(TF_GEN): $(TF)/unpacked
+	$(MAKE) -s -C $(TF)/berkeley-softfloat-3/build/Linux-x86_64-GCC
+	$(MAKE) -s -C $(@D) testfloat_gen
+
+.PHONY: testfloat
+testfloat: $(TF_GEN) $(BUILD)/fp_testfloat ## fp_add and fp_mul against Berkeley TestFloat, level 2
+	$(TF_GEN) -level 2 f32_add | $(BUILD)/fp_testfloat add $(TF_VECTORS)
+	$(TF_GEN) -level 2 f32_mul | $(BUILD)/fp_testfloat mul $(TF_VECTORS)
