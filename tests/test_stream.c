@@ -244,6 +244,13 @@ static void every_truncation_is_detected(void **state) {
         packet.words = words;
         expect_refusal(&packet, "view 7");
     }
+    packet.words = 20;
+    expect_refusal(&packet,
+                   "word 4 (head of a group of 4 vertices, generation 0): the packet ends");
+    packet.words = 68;
+    expect_refusal(&packet, "the packet ends inside the face");
+    packet.words = 8;
+    expect_refusal(&packet, "8 words; a packet has three records of 4 words or more");
     hs_packet_free(&packet);
 }
 
@@ -345,6 +352,50 @@ static void groups_that_are_not_filled_up_are_refused(void **state) {
     hs_output_free(&out);
     packet.word[32] += 1;
     expect_refusal(&packet, "generation 3, but faces left in generation 1");
+    hs_packet_free(&packet);
+}
+
+static void generations_go_back_in_the_last_step_alone(void **state) {
+    (void)state;
+    static const char *const cause[3] = {NULL, "generation 2 behind the last one",
+                                         "vertices of generation 1 behind faces of generation 1"};
+    for (int i = 0; i < 3; i++) {
+        hs_packet packet = {.view = 7};
+        put(&packet, hs_tag(HS_RECORD_HEADER, HS_STREAM_VERSION), 7, 1, 0);
+        put_numbers(&packet, hs_tag(HS_RECORD_VERTICES, 3 << 16), 1, 2, 3, 0);
+        put_positions(&packet, 3);
+        put_numbers(&packet, hs_tag(HS_RECORD_FACE, 3 << 8 | 0), 1, 2, 3, 0);
+        put_numbers(&packet, hs_tag(HS_RECORD_FACE, 3 << 8 | 1), 1, 2, 3, 0);
+        put_numbers(&packet, hs_tag(HS_RECORD_FACE, 3 << 8 | 0), 1, 2, 3, 0);
+        if (i == 1) put_numbers(&packet, hs_tag(HS_RECORD_FACE, 3 << 8 | 2), 1, 2, 3, 0);
+        if (i == 2) {
+            put_numbers(&packet, hs_tag(HS_RECORD_VERTICES, 1 << 16 | 1), 4, 0, 0, 0);
+            put_positions(&packet, 1);
+        }
+        uint32_t faces = i == 1 ? 4 : 3;
+        put(&packet, hs_tag(HS_RECORD_TRAILER, HS_STATUS_OK), HS_NO_POSITION, i == 2 ? 4 : 3,
+            faces);
+        put_end(&packet, i == 1 ? 2 : 1, faces);
+        if (cause[i]) {
+            expect_refusal(&packet, cause[i]);
+        } else {
+            hs_output out;
+            hs_error err;
+            if (!hs_output_decode(&out, &packet, &err)) fail_msg("%s", err.text);
+            hs_output_free(&out);
+        }
+        hs_packet_free(&packet);
+    }
+}
+
+static void a_view_without_faces_is_a_refused_one(void **state) {
+    (void)state;
+    hs_packet packet;
+    make_refused(&packet);
+    packet.word[4] = hs_tag(HS_RECORD_TRAILER, HS_STATUS_OK);
+    packet.word[5] = HS_NO_POSITION;
+    fix_crc(&packet);
+    expect_refusal(&packet, "0 vertices and 0 faces with status OK");
     hs_packet_free(&packet);
 }
 
@@ -549,6 +600,8 @@ int main(void) {
         cmocka_unit_test(every_truncation_is_detected),
         cmocka_unit_test(a_wrong_packet_with_a_right_crc_is_refused_with_its_cause),
         cmocka_unit_test(groups_that_are_not_filled_up_are_refused),
+        cmocka_unit_test(generations_go_back_in_the_last_step_alone),
+        cmocka_unit_test(a_view_without_faces_is_a_refused_one),
         cmocka_unit_test(hostile_words_are_only_ever_refused_or_decoded),
         cmocka_unit_test(what_golden_sends_decodes),
         cmocka_unit_test(frames_bring_packets_back),
