@@ -19,7 +19,7 @@ static bool exhausted(hs_error *err, const char *path) {
     return hs_fail(err, HS_EXIT_INTERNAL, PATH ": out of memory; free some memory", path);
 }
 
-/* --- Writing ---------------------------------------------------------------------------------- */
+/* --- Writing --------------------------------------------------------------------------------- */
 
 static const char *remedy_of(int cause) {
     switch (cause) {
@@ -119,7 +119,7 @@ void hs_file_abandon(hs_file *file) {
     *file = (hs_file){NULL, NULL, NULL};
 }
 
-/* --- Reading ---------------------------------------------------------------------------------- */
+/* --- Reading --------------------------------------------------------------------------------- */
 
 /* Reads to the end of the stream, at most limit bytes and one, so that the caller sees an excess.
  * The length isn't asked for beforehand: pipes have none. NULL with errno on failure. */

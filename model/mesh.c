@@ -32,7 +32,7 @@ typedef struct builder {
     uint32_t *towards_mark;
 } builder;
 
-/* --- Messages --------------------------------------------------------------------------------- */
+/* --- Messages -------------------------------------------------------------------------------- */
 
 /* Fails with "name:line: " (the line, 0 if not known, is of the file) in front of the message. */
 __attribute__((format(printf, 3, 4))) static bool fail_at(builder *b, uint32_t line,
@@ -70,7 +70,7 @@ static label face_label(const builder *b, uint32_t face) {
     return name;
 }
 
-/* --- Memory ----------------------------------------------------------------------------------- */
+/* --- Memory ---------------------------------------------------------------------------------- */
 
 static void *allocate(size_t count, size_t size) {
     return calloc(count + 1, size); /* never 0 bytes, for which NULL would be no error */
@@ -102,7 +102,7 @@ void hs_mesh_free(hs_mesh *mesh) {
     memset(mesh, 0, sizeof *mesh);
 }
 
-/* --- 1. Face by face -------------------------------------------------------------------------- */
+/* --- 1. Face by face ------------------------------------------------------------------------- */
 
 static bool check_positions(builder *b) {
     const hs_soup *soup = b->soup;
@@ -154,8 +154,8 @@ static bool check_faces(builder *b, uint32_t *corners) {
     for (uint32_t f = 0; f < soup->faces; f++) {
         uint32_t sides = soup->sides[f];
         if (sides < HS_MIN_SIDES || sides > HS_MAX_SIDES)
-            return fail_at(b, line_of_face(b, f), "face %u has %u corners; a face needs %d to %d",
-                           f + 1, sides, HS_MIN_SIDES, HS_MAX_SIDES);
+            return fail_at(b, line_of_face(b, f), "face %u has %u corner%s; a face needs %d to %d",
+                           f + 1, sides, sides == 1 ? "" : "s", HS_MIN_SIDES, HS_MAX_SIDES);
         if (sides >= COUNT_LIMIT - *corners)
             return fail_at(b, line_of_face(b, f),
                            "the faces have too many corners; fewer than %d are supported",
@@ -166,8 +166,7 @@ static bool check_faces(builder *b, uint32_t *corners) {
     return true;
 }
 
-/* --- 2. Lay the half-edges out -----------------------------------------------------------------
- */
+/* --- 2. Lay the half-edges out --------------------------------------------------------------- */
 
 static bool keep_used_vertices(builder *b) {
     const hs_soup *soup = b->soup;
@@ -215,8 +214,7 @@ static bool lay_out(builder *b, uint32_t corners) {
     return true;
 }
 
-/* --- 3. Sort by origin --------------------------------------------------------------------------
- */
+/* --- 3. Sort by origin ----------------------------------------------------------------------- */
 
 static bool sort_by_origin(builder *b) {
     const hs_mesh *mesh = b->mesh;
@@ -235,8 +233,7 @@ static bool sort_by_origin(builder *b) {
     return true;
 }
 
-/* --- 4. Pair ------------------------------------------------------------------------------------
- */
+/* --- 4. Pair --------------------------------------------------------------------------------- */
 
 /* How many faces have the edge between v and w. */
 static uint32_t faces_at_edge(const builder *b, uint32_t v, uint32_t w) {
@@ -290,8 +287,7 @@ static bool pair_halfedges(builder *b) {
     return true;
 }
 
-/* --- 5. One fan around every vertex
- * --------------------------------------------------------------- */
+/* --- 5. One fan around every vertex ---------------------------------------------------------- */
 
 /* A face of vertex v that the walk around it did not reach. */
 static uint32_t face_outside_fan(const builder *b, uint32_t v, uint32_t start, uint32_t steps) {
@@ -314,7 +310,10 @@ static bool check_fan(builder *b, uint32_t v) {
     /* An open fan has a first face: the one whose half-edge from v has no twin. */
     uint32_t start = b->leaving[b->fan[v]];
     for (uint32_t i = b->fan[v]; i < b->fan[v + 1]; i++)
-        if (mesh->twin[b->leaving[i]] == (uint32_t)HS_BORDER) start = b->leaving[i];
+        if (mesh->twin[b->leaving[i]] == (uint32_t)HS_BORDER) {
+            start = b->leaving[i];
+            break;
+        }
     /* h -> twin(prev(h)) is a one-to-one map on the half-edges that leave v, so the walk either
      * comes back to its start or ends at the border. */
     uint32_t reached = 0, h = start;

@@ -8,8 +8,7 @@ static bool is_border(const hs_mesh *mesh, uint32_t h) {
     return mesh->twin[h] == (uint32_t)HS_BORDER;
 }
 
-/* --- Counts and extent -------------------------------------------------------------------------
- */
+/* --- Counts and extent ----------------------------------------------------------------------- */
 
 static void count_edges(hs_mesh_info *info, const hs_mesh *mesh) {
     for (uint32_t h = 0; h < mesh->halfedges; h++) {
@@ -43,8 +42,7 @@ static void count_valences(hs_mesh_info *info, const hs_mesh *mesh, uint8_t *val
     }
 }
 
-/* --- Topology ----------------------------------------------------------------------------------
- */
+/* --- Topology -------------------------------------------------------------------------------- */
 
 /* The border half-edge that goes on where border half-edge h ends: turn around that vertex, face
  * by face, until there is no neighbour any more. */

@@ -34,8 +34,7 @@ typedef struct reader {
     hs_error *err;
 } reader;
 
-/* --- Messages and memory ------------------------------------------------------------------------
- */
+/* --- Messages and memory --------------------------------------------------------------------- */
 
 __attribute__((format(printf, 2, 3))) static bool fail_here(reader *r, const char *format, ...) {
     char text[400];
@@ -91,8 +90,7 @@ static bool append_position(reader *r, const float position[4]) {
     return true;
 }
 
-/* --- Lines and words ----------------------------------------------------------------------------
- */
+/* --- Lines and words ------------------------------------------------------------------------- */
 
 /* Copies the next logical line into the buffer; false at the end of the text. Lines end with LF,
  * CR LF or CR. A backslash at the end of a comment continues nothing. */
@@ -128,8 +126,7 @@ static char *take_word(reader *r) {
     return word;
 }
 
-/* --- v
- * -------------------------------------------------------------------------------------------- */
+/* --- v --------------------------------------------------------------------------------------- */
 
 static bool read_vertex(reader *r) {
     float position[4] = {0, 0, 0, 1};
@@ -152,8 +149,7 @@ static bool read_vertex(reader *r) {
     return true;
 }
 
-/* --- f
- * -------------------------------------------------------------------------------------------- */
+/* --- f --------------------------------------------------------------------------------------- */
 
 /* Reads an integer and moves *text behind it. Magnitudes beyond 32 bits stay beyond them. */
 static bool take_integer(const char **text, int64_t *number) {
@@ -209,8 +205,7 @@ static bool read_face(reader *r) {
     return true;
 }
 
-/* --- The file
- * ------------------------------------------------------------------------------------- */
+/* --- The file -------------------------------------------------------------------------------- */
 
 static bool is_skipped(const char *keyword) {
     static const char *const skipped[] = {"vt", "vn",     "vp",     "g", "o",

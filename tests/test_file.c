@@ -1,0 +1,171 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * Files appear whole or not at all, and are read whole or not at all.
+ */
+#include <errno.h>
+#include <setjmp.h>
+#include <signal.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+#include "definitions.h"
+#include "file.h"
+#include "folder.h"
+
+static void write_file(const char *path, const char *text) {
+    hs_file file;
+    hs_error err;
+    if (!hs_file_create(&file, path, &err)) fail_msg("%s", err.text);
+    fputs(text, file.stream);
+    if (!hs_file_commit(&file, &err)) fail_msg("%s", err.text);
+}
+
+static void a_file_appears_only_when_it_is_committed(void **state) {
+    (void)state;
+    folder f = make_folder();
+    const char *path = inside(&f, "a");
+    hs_file file;
+    hs_error err;
+    assert_true(hs_file_create(&file, path, &err));
+    fputs("text", file.stream);
+    assert_int_equal(access(path, F_OK), -1);
+    hs_file_abandon(&file);
+    hs_file_abandon(&file);
+    assert_int_equal(count_entries(&f), 0);
+
+    write_file(path, "one");
+    assert_content(path, "one");
+    assert_true(hs_file_create(&file, path, &err));
+    fputs("two", file.stream);
+    fflush(file.stream);
+    assert_content(path, "one");
+    assert_true(hs_file_commit(&file, &err));
+    assert_content(path, "two");
+    assert_null(file.stream);
+    assert_int_equal(count_entries(&f), 1);
+
+    const char *link = inside(&f, "link");
+    assert_int_equal(symlink("a", link), 0);
+    write_file(link, "three");
+    assert_content(path, "three");
+    assert_int_equal(count_entries(&f), 2);
+    unlink(link);
+    unlink(path);
+    assert_int_equal(rmdir(f.path), 0);
+}
+
+static void a_write_that_fails_leaves_the_old_file(void **state) {
+    (void)state;
+    folder f = make_folder();
+    const char *path = inside(&f, "a");
+    write_file(path, "old");
+    struct rlimit before, tight;
+    assert_int_equal(getrlimit(RLIMIT_FSIZE, &before), 0);
+    tight = before;
+    tight.rlim_cur = 1000;
+    void (*handler)(int) = signal(SIGXFSZ, SIG_IGN);
+    assert_int_equal(setrlimit(RLIMIT_FSIZE, &tight), 0);
+    hs_file file;
+    hs_error err = {0};
+    bool created = hs_file_create(&file, path, &err);
+    for (int i = 0; created && i < 100000; i++)
+        fputs("line\n", file.stream);
+    bool committed = created && hs_file_commit(&file, &err);
+    setrlimit(RLIMIT_FSIZE, &before);
+    signal(SIGXFSZ, handler);
+    assert_true(created);
+    assert_false(committed);
+    assert_int_equal(err.code, HS_EXIT_FILE);
+    assert_non_null(strstr(err.text, path));
+    assert_non_null(strstr(err.text, strerror(EFBIG)));
+    assert_content(path, "old");
+    assert_int_equal(count_entries(&f), 1);
+    unlink(path);
+    assert_int_equal(rmdir(f.path), 0);
+}
+
+static void a_full_device_is_reported_and_kept(void **state) {
+    (void)state;
+    if (access("/dev/full", W_OK) != 0) {
+        print_message("skipped: no /dev/full\n");
+        skip();
+    }
+    hs_file file;
+    hs_error err = {0};
+    assert_true(hs_file_create(&file, "/dev/full", &err));
+    fputs("text", file.stream);
+    assert_false(hs_file_commit(&file, &err));
+    assert_int_equal(err.code, HS_EXIT_FILE);
+    assert_non_null(strstr(err.text, "/dev/full: cannot write: "));
+    assert_non_null(strstr(err.text, strerror(ENOSPC)));
+    assert_int_equal(access("/dev/full", W_OK), 0);
+}
+
+static void files_that_cannot_be_opened_are_named(void **state) {
+    (void)state;
+    folder f = make_folder();
+    hs_file file;
+    hs_error err = {0};
+    assert_false(hs_file_create(&file, inside(&f, "no/a"), &err));
+    assert_int_equal(err.code, HS_EXIT_FILE);
+    assert_non_null(strstr(err.text, inside(&f, "no/a: cannot write: No such file")));
+    assert_false(hs_file_create(&file, f.path, &err));
+    assert_non_null(strstr(err.text, "directory; name a file"));
+    assert_null(file.stream);
+
+    uint8_t *bytes;
+    size_t size;
+    assert_false(hs_file_read(inside(&f, "a"), 10, &bytes, &size, &err));
+    assert_int_equal(err.code, HS_EXIT_FILE);
+    assert_non_null(strstr(err.text, inside(&f, "a: cannot read: No such file")));
+    assert_false(hs_file_read(f.path, 10, &bytes, &size, &err));
+    assert_non_null(strstr(err.text, "directory"));
+    assert_int_equal(rmdir(f.path), 0);
+}
+
+static void reading_stops_at_the_limit(void **state) {
+    (void)state;
+    folder f = make_folder();
+    const char *path = inside(&f, "a");
+    uint8_t *bytes;
+    size_t size;
+    hs_error err;
+    static const size_t sizes[] = {0, 1, 65534, 65535, 65536, 65537, 200000};
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+        hs_file file;
+        assert_true(hs_file_create(&file, path, &err));
+        for (size_t b = 0; b < sizes[i]; b++)
+            putc((int)(b % 251), file.stream);
+        assert_true(hs_file_commit(&file, &err));
+        assert_true(hs_file_read(path, sizes[i], &bytes, &size, &err));
+        assert_int_equal(size, sizes[i]);
+        for (size_t b = 0; b < size; b++)
+            if (bytes[b] != b % 251) fail_msg("byte %zu of %zu", b, size);
+        assert_int_equal(bytes[size], 0);
+        free(bytes);
+        if (sizes[i] == 0) continue;
+        assert_false(hs_file_read(path, sizes[i] - 1, &bytes, &size, &err));
+        assert_null(bytes);
+        assert_non_null(strstr(err.text, "has more than"));
+    }
+    unlink(path);
+    assert_int_equal(rmdir(f.path), 0);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_file_appears_only_when_it_is_committed),
+        cmocka_unit_test(a_write_that_fails_leaves_the_old_file),
+        cmocka_unit_test(a_full_device_is_reported_and_kept),
+        cmocka_unit_test(files_that_cannot_be_opened_are_named),
+        cmocka_unit_test(reading_stops_at_the_limit),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
