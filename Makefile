@@ -42,7 +42,15 @@ $(BUILD)/generated: $(BUILD)/gen_pkg
 $(BUILD)/%: $(BUILD)/tests/%.o $(BUILD)/libsim.a $(BUILD)/libhalfstep.a
 	$(CXX) $^ -o $@ -lcmocka $(LIBS)
 
-include tests/fp.mk
+# Programs that ask OpenSubdiv for a second opinion, through tests/osd.h.
+OSD_USERS := $(BUILD)/test_reference
+$(BUILD)/tests/osd.o: tests/osd.cpp | $(BUILD)/packages
+	@mkdir -p $(@D)
+	$(CXX) $(CXXFLAGS) -c $< -o $@
+$(OSD_USERS): $(BUILD)/tests/osd.o
+$(OSD_USERS): LIBS += -losdCPU
+
+include tests/fp.mk tests/receive.mk
 
 # What a bare Debian 12 misses; the stamp keeps later runs from asking again.
 PACKAGES := gcc g++ make verilator yosys libosmesa6-dev libosd-dev libcmocka-dev libjansson-dev \

@@ -1,0 +1,361 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The receive stage: takes the packet of a view apart, checks every bit of it, and hands its
+// vertices to transform and its corners to the corner memory. docs/stream.md defines the packet.
+//
+//   beats -> unpack -> a record a cycle -+-> header registers
+//                                        +-> receive_check, crc32: the verdict
+//                                        +-> vertices to transform, corners to memory
+//
+//   * start_i allows one packet; it may come from done_o's cycle on. Until then, and between a
+//     packet's last beat and the next start_i, no beat is taken.
+//   * done_o, for one cycle: the packet's TLAST was taken, transform has drained, and the verdict
+//     status_o, position_o is final. From then to the next start_i all header outputs hold.
+//   * The error at the smallest word position wins, even if transform reports it (overflow_i)
+//     after a later one was found. Counts, depths and matrix are right if status_o is STATUS_OK;
+//     the ones used before done_o (by transform) have passed their checks by then.
+//   * After an error nothing is stored any more; records go by, one a cycle, until TLAST. What was
+//     stored before, of a packet that turns out to be bad, is the sequencer's to ignore.
+
+module receive #(
+    // Vertices and corners that the memories hold: powers of two, 4 to 2^24.
+    parameter int unsigned VERTICES = 1024,
+    parameter int unsigned QUADS = 1024,
+    // Records a beat: 1, 2 or 4.
+    parameter int unsigned PORT_RECORDS = 4,
+    localparam int unsigned VW = $clog2(VERTICES),
+    localparam int unsigned QW = $clog2(QUADS)
+) (
+    input logic clk_i,
+    input logic rst_i,
+
+    // Input stream
+    input  logic                        s_axis_tvalid,
+    output logic                        s_axis_tready,
+    input  logic [128*PORT_RECORDS-1:0] s_axis_tdata,
+    input  logic [ 16*PORT_RECORDS-1:0] s_axis_tkeep,
+    input  logic                        s_axis_tlast,
+    input  logic [                15:0] s_axis_tid,
+
+    // Sequencer and registers
+    input  logic        start_i,
+    input  logic [VW:0] limit_vertices_i,  // at most VERTICES
+    input  logic [QW:0] limit_quads_i,     // at most QUADS
+    output logic        done_o,
+    output logic        vertices_done_o,   // with the last vertex
+    output logic [ 7:0] status_o,
+    output logic [31:0] position_o,
+
+    // Header
+    output logic [ 15:0] view_o,              // TID of the packet's first beat
+    output logic         uniform_o,
+    output logic         guard_o,
+    output logic [  7:0] front_depth_o,
+    output logic [  7:0] silhouette_depth_o,
+    output logic [  7:0] uniform_depth_o,
+    output logic [ VW:0] vertices_o,
+    output logic [ QW:0] faces_o,
+    output logic [ QW:0] halfedges_o,
+    output logic [511:0] matrix_o,            // row r, column c: bits 128*r + 32*c +: 32
+    output logic [  7:0] forced_max_o,        // largest forced depth
+    output logic         closed_o,            // no half-edge is on a border
+
+    // Transform: takes a vertex whenever one is valid
+    output logic          vertex_valid_o,
+    output logic [VW-1:0] vertex_index_o,
+    output logic [ 127:0] vertex_record_o,   // x, y, z, w
+    input  logic          transform_busy_i,  // from the cycle after vertex_valid_o
+    input  logic          overflow_i,        // until transform_busy_i falls, at the latest
+    input  logic [VW-1:0] overflow_index_i,
+    input  logic [   1:0] overflow_row_i,
+
+    // Corner memory: half-edge corner_index_o
+    output logic          corner_valid_o,
+    output logic [QW-1:0] corner_index_o,
+    output logic [VW-1:0] corner_origin_o,
+    output logic [QW-1:0] corner_twin_o,    // anything if corner_border_o
+    output logic          corner_border_o,
+    output logic [   7:0] corner_forced_o,
+    output logic          corner_first_o,   // of its face
+    output logic          corner_last_o,    // of its face
+    output logic [QW-1:0] corner_face_o,
+
+    // Activity; idle if none of the three
+    output logic busy_o,
+    output logic starved_o,
+    output logic blocked_o,
+    output logic item_in_o,
+    output logic item_out_o
+);
+
+  generate
+    if ((VERTICES & (VERTICES - 1)) != 0 || VERTICES < 4 || VERTICES > (1 << 24)) begin : gen_bad_v
+      $error("receive: VERTICES must be a power of two, 4 to 2^24");
+    end
+    if ((QUADS & (QUADS - 1)) != 0 || QUADS < 4 || QUADS > (1 << 24)) begin : gen_bad_q
+      $error("receive: QUADS must be a power of two, 4 to 2^24");
+    end
+  endgenerate
+
+  // --- Records.
+
+  logic take;  // a record is there, and taken
+  logic ends;  // it, or an empty beat, is the packet's end
+  logic [127:0] record;
+
+  unpack #(
+      .PORT_RECORDS(PORT_RECORDS)
+  ) i_unpack (
+      .clk_i(clk_i),
+      .rst_i(rst_i),
+      .s_axis_tvalid(s_axis_tvalid),
+      .s_axis_tready(s_axis_tready),
+      .s_axis_tdata(s_axis_tdata),
+      .s_axis_tkeep(s_axis_tkeep),
+      .s_axis_tlast(s_axis_tlast),
+      .s_axis_tid(s_axis_tid),
+      .start_i(start_i),
+      .valid_o(take),
+      .record_o(record),
+      .end_o(ends),
+      .view_o(view_o)
+  );
+
+  // --- What the record is. A packet is at work from start_i to its last record, then drains.
+
+  localparam logic [2:0] AT_VIEW = 3'd0;
+  localparam logic [2:0] AT_COUNTS = 3'd1;
+  localparam logic [2:0] AT_MATRIX = 3'd2;
+  localparam logic [2:0] AT_VERTEX = 3'd3;
+  localparam logic [2:0] AT_CORNER = 3'd4;
+  localparam logic [2:0] AT_END = 3'd5;
+  localparam logic [2:0] AT_BEHIND = 3'd6;
+  localparam logic [2:0] AT_DISCARD = 3'd7;
+
+  logic at_work_q, drain_q;
+  logic [2:0] at_q, at_d;
+  logic [29:0] number_q;  // of the record in its packet
+  logic [1:0] row_q;
+  logic [VW:0] vertex_q;
+  logic [QW:0] halfedge_q, face_q;
+  logic [7:0] corner_q, sides_q, forced_q;  // of the face that is coming in
+  logic face_first, face_last;
+  logic bad;  // the record has an error
+  logic finish;
+
+  always_comb begin
+    at_d = at_q;
+    case (at_q)
+      AT_VIEW: at_d = AT_COUNTS;
+      AT_COUNTS: at_d = AT_MATRIX;
+      AT_MATRIX: if (row_q == 2'd3) at_d = AT_VERTEX;
+      AT_VERTEX: if (vertex_q + 1'b1 == vertices_o) at_d = AT_CORNER;
+      AT_CORNER: if (halfedge_q + 1'b1 == halfedges_o) at_d = AT_END;
+      AT_END: at_d = AT_BEHIND;
+      default: at_d = at_q;
+    endcase
+    if (!take) at_d = at_q;
+    if (bad || overflow_i) at_d = AT_DISCARD;
+  end
+
+  assign face_first = corner_q == 8'd0;
+  assign face_last = corner_q + 8'd1 == record[71:64];
+
+  always_ff @(posedge clk_i) begin
+    at_q <= at_d;
+    if (take) begin
+      number_q <= number_q + 1'b1;
+      if (at_q == AT_MATRIX) row_q <= row_q + 1'b1;
+      if (at_q == AT_VERTEX) vertex_q <= vertex_q + 1'b1;
+      if (at_q == AT_CORNER) begin
+        halfedge_q <= halfedge_q + 1'b1;
+        sides_q <= record[71:64];
+        forced_q <= record[79:72];
+        corner_q <= face_last ? 8'd0 : corner_q + 8'd1;
+        if (face_last) face_q <= face_q + 1'b1;
+      end
+    end
+    if (ends) begin
+      at_work_q <= 1'b0;
+      drain_q   <= 1'b1;
+    end
+    if (finish) drain_q <= 1'b0;
+    if (start_i) begin
+      at_work_q <= 1'b1;
+      at_q <= AT_VIEW;
+      number_q <= '0;
+      row_q <= '0;
+      vertex_q <= '0;
+      halfedge_q <= '0;
+      face_q <= '0;
+      corner_q <= '0;
+    end
+    if (rst_i) begin
+      at_work_q <= 1'b0;
+      drain_q   <= 1'b0;
+    end
+  end
+
+  // --- Verdict. Records come in order, so an error of a record is behind every earlier one, and
+  // an overflow, always of an earlier record, before every error of a record. A smaller position
+  // replaces a larger one; NO_POSITION is the largest.
+
+  logic [31:0] crc_q, crc_d;
+  logic check_bad, cut_short;
+  logic [1:0] bad_word;
+  logic [7:0] bad_status;
+  logic [31:0] cut_position, overflow_position;
+
+  crc32 i_crc32 (
+      .crc_i (crc_q),
+      .data_i(record),
+      .crc_o (crc_d)
+  );
+
+  receive_check #(
+      .VERTICES(VERTICES),
+      .QUADS(QUADS)
+  ) i_check (
+      .record_i(record),
+      .at_view_i(at_q == AT_VIEW),
+      .at_counts_i(at_q == AT_COUNTS),
+      .at_matrix_i(at_q == AT_MATRIX),
+      .at_vertex_i(at_q == AT_VERTEX),
+      .at_corner_i(at_q == AT_CORNER),
+      .at_end_i(at_q == AT_END),
+      .at_behind_i(at_q == AT_BEHIND),
+      .limit_vertices_i(limit_vertices_i),
+      .limit_quads_i(limit_quads_i),
+      .vertices_i(vertices_o),
+      .faces_i(faces_o),
+      .halfedges_i(halfedges_o),
+      .halfedge_i(halfedge_q),
+      .corner_i(corner_q),
+      .face_i(face_q),
+      .sides_i(sides_q),
+      .forced_i(forced_q),
+      .crc_i(crc_q),
+      .bad_o(check_bad),
+      .word_o(bad_word),
+      .status_o(bad_status)
+  );
+
+  assign bad = take && check_bad;
+  assign cut_short = ends && at_d != AT_BEHIND && at_d != AT_DISCARD;
+  assign cut_position = {number_q + 30'(take), 2'd0};
+  assign overflow_position = {
+    hs_pkg::HEADER_RECORDS[29:0] + hs_pkg::MATRIX_RECORDS[29:0] + 30'(overflow_index_i),
+    overflow_row_i
+  };
+  // transform_busy_i follows a vertex by a cycle.
+  assign finish = drain_q && !vertex_valid_o && !transform_busy_i;
+
+  always_ff @(posedge clk_i) begin
+    if (take) crc_q <= crc_d;
+    if (bad) begin
+      status_o   <= bad_status;
+      position_o <= {number_q, bad_word};
+    end
+    if (cut_short) begin
+      status_o   <= hs_pkg::STATUS_TRUNCATED;
+      position_o <= cut_position;
+    end
+    if (overflow_i && overflow_position < position_o) begin
+      status_o   <= hs_pkg::STATUS_OVERFLOW;
+      position_o <= overflow_position;
+    end
+    done_o <= finish;
+    if (start_i) begin
+      crc_q <= 32'hffffffff;
+      status_o <= hs_pkg::STATUS_OK;
+      position_o <= hs_pkg::NO_POSITION;
+    end
+    if (rst_i) done_o <= 1'b0;
+  end
+
+  // --- Header registers, and what goes to the neighbours.
+
+  logic store;
+  assign store = take && !bad;
+
+  always_ff @(posedge clk_i) begin
+    if (store && at_q == AT_VIEW) begin
+      uniform_o  <= (record[95:64] & hs_pkg::FLAG_UNIFORM) != 32'd0;
+      guard_o    <= (record[95:64] & hs_pkg::FLAG_GUARD) != 32'd0;
+      vertices_o <= record[96+:VW+1];
+    end
+    if (store && at_q == AT_COUNTS) begin
+      faces_o <= record[0+:QW+1];
+      halfedges_o <= record[32+:QW+1];
+      front_depth_o <= record[71:64];
+      silhouette_depth_o <= record[79:72];
+      uniform_depth_o <= record[87:80];
+    end
+    if (store && at_q == AT_MATRIX) matrix_o <= {record, matrix_o[511:128]};
+    if (store && at_q == AT_CORNER) begin
+      if (record[79:72] > forced_max_o) forced_max_o <= record[79:72];
+      if (record[63:32] == hs_pkg::BORDER) closed_o <= 1'b0;
+    end
+    if (start_i) begin
+      forced_max_o <= 8'd0;
+      closed_o <= 1'b1;
+    end
+
+    vertex_valid_o  <= store && at_q == AT_VERTEX;
+    vertices_done_o <= store && at_q == AT_VERTEX && at_d == AT_CORNER;
+    vertex_index_o  <= vertex_q[VW-1:0];
+    vertex_record_o <= record;
+
+    corner_valid_o  <= store && at_q == AT_CORNER;
+    corner_index_o  <= halfedge_q[QW-1:0];
+    corner_origin_o <= record[VW-1:0];
+    corner_twin_o   <= record[32+:QW];
+    corner_border_o <= record[63:32] == hs_pkg::BORDER;
+    corner_forced_o <= record[79:72];
+    corner_first_o  <= face_first;
+    corner_last_o   <= face_last;
+    corner_face_o   <= face_q[QW-1:0];
+
+    if (rst_i) begin
+      vertex_valid_o  <= 1'b0;
+      vertices_done_o <= 1'b0;
+      corner_valid_o  <= 1'b0;
+    end
+  end
+
+  assign busy_o = take;
+  assign starved_o = at_work_q && !take;
+  assign blocked_o = 1'b0;
+  assign item_in_o = take;
+  assign item_out_o = take;
+
+  // --- What the neighbours owe, and what they are promised.
+
+`ifndef YOSYS
+  start_when_idle :
+  assert property (@(posedge clk_i) disable iff (rst_i) start_i |-> !at_work_q && !drain_q)
+  else $error("receive: started while at work");
+  limits_in_range :
+  assert property (@(posedge clk_i) disable iff (rst_i)
+      32'(limit_vertices_i) <= VERTICES && 32'(limit_quads_i) <= QUADS)
+  else $error("receive: a limit exceeds its memory");
+  overflow_in_time :
+  assert property (@(posedge clk_i) disable iff (rst_i) overflow_i |-> at_work_q || drain_q)
+  else $error("receive: an overflow came after the verdict");
+  verdict_holds :
+  assert property (@(posedge clk_i) disable iff (rst_i)
+      done_o && !start_i |=> $stable(status_o) && $stable(position_o) && !s_axis_tready)
+  else $error("receive: the verdict changed, or a beat was asked for before a start");
+  vertices_in_range :
+  assert property (@(posedge clk_i) disable iff (rst_i)
+      vertex_valid_o |-> {1'b0, vertex_index_o} < limit_vertices_i)
+  else $error("receive: a vertex has no place in memory");
+  corners_in_range :
+  assert property (@(posedge clk_i) disable iff (rst_i)
+      corner_valid_o |-> {1'b0, corner_index_o} < limit_quads_i
+      && {1'b0, corner_origin_o} < vertices_o
+      && (corner_border_o || {1'b0, corner_twin_o} < halfedges_o))
+  else $error("receive: a corner has no place in memory, or names what does not exist");
+`endif
+
+endmodule
