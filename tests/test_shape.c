@@ -276,6 +276,16 @@ static void fifty_seeds_of_random_are_closed_bodies_of_about_the_size_asked_for(
     }
 }
 
+static void the_hand_is_mostly_quads_with_some_triangles_and_pentagons(void **state) {
+    (void)state;
+    census c = assert_closed_body("hand", 0, 0, 2);
+    uint32_t faces = faces_of(&c);
+    assert_in_range(faces, 300, 800);
+    assert_true(c.sides[4] > faces * 3 / 4);
+    assert_true(c.sides[3] >= 4);
+    assert_true(c.sides[5] + c.sides[6] >= 4);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_shape_but_the_grid_is_a_closed_body_with_its_faces_outward),
@@ -288,6 +298,7 @@ int main(void) {
         cmocka_unit_test(
             mixed_has_every_valence_from_3_to_12_and_every_number_of_sides_from_3_to_9),
         cmocka_unit_test(fifty_seeds_of_random_are_closed_bodies_of_about_the_size_asked_for),
+        cmocka_unit_test(the_hand_is_mostly_quads_with_some_triangles_and_pentagons),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
