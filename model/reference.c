@@ -21,8 +21,9 @@
 /* The array with room for count items; the old array, and *ok false, if there is no memory. */
 static void *resized(void *array, uint64_t count, size_t size, bool *ok) {
     void *bigger = realloc(array, (size_t)(count ? count : 1) * size);
-    if (!bigger) *ok = false;
-    return bigger ? bigger : array;
+    if (bigger) return bigger;
+    *ok = false;
+    return array;
 }
 
 #define RESIZE(array, count, ok) ((array) = resized((array), (count), sizeof *(array), (ok)))
