@@ -51,8 +51,7 @@ static float float_of(uint32_t word) {
     return value;
 }
 
-/* --- First pass: is it a packet, and how much is in it? ----------------------------------------
- */
+/* --- First pass: is it a packet, and how much is in it? --------------------------------------- */
 
 typedef struct counts {
     uint32_t vertices, faces, triangles, corners;
@@ -277,8 +276,7 @@ static bool check_packet(const reader *in, counts *sum) {
     return check_trailer(in, trailer, sum) && check_end(in, trailer + 4, sum);
 }
 
-/* --- Second pass: vertices and faces -----------------------------------------------------------
- */
+/* --- Second pass: vertices and faces ---------------------------------------------------------- */
 
 /* From vertex numbers to places in the output: a hash table, open addressing, at most half full.
  * (The largest number is not bounded by the packet's size, a plain table would not be either.) */
@@ -398,8 +396,7 @@ void hs_output_free(hs_output *output) {
     *output = (hs_output){0};
 }
 
-/* --- Words, in words ----------------------------------------------------------------------------
- */
+/* --- Words, in words -------------------------------------------------------------------------- */
 
 /* Where a walk over the records is: enough to name the next one. */
 typedef struct walk {

@@ -23,8 +23,7 @@
 /* A view is a line of some 300 bytes; this is more views than a 16-bit number can name. */
 static const size_t largest_file = (size_t)1 << 28;
 
-/* --- One perspective view -----------------------------------------------------------------------
- */
+/* --- One perspective view --------------------------------------------------------------------- */
 
 static double dot(const double a[3], const double b[3]) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -100,8 +99,7 @@ bool hs_view_look(hs_view *view, const double eye[3], const double at[3], const 
     return true;
 }
 
-/* --- Views around a mesh -------------------------------------------------------------------------
- */
+/* --- Views around a mesh ---------------------------------------------------------------------- */
 
 typedef struct sphere {
     double center[3], radius;
@@ -174,8 +172,7 @@ bool hs_views_orbit(hs_views *views, uint32_t count, const hs_mesh *mesh, double
     return true;
 }
 
-/* --- The words of a views file -------------------------------------------------------------------
- */
+/* --- The words of a views file ---------------------------------------------------------------- */
 
 typedef struct reader {
     const char *path;
@@ -277,8 +274,7 @@ static bool read_look(reader *r, double aspect, hs_view *view) {
     return true;
 }
 
-/* --- The file
- * -------------------------------------------------------------------------------------- */
+/* --- The file --------------------------------------------------------------------------------- */
 
 /* Makes room for one more view, at least doubling what there was: growth costs O(1) a view. */
 static hs_view *append_view(hs_views *views, uint32_t *capacity) {

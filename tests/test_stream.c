@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
  * Packets: what encode writes is what docs/stream.md says, what decode accepts is an output packet
- * and nothing else, and frames bring packets back as they were.
+ * and nothing else, and the example of the documentation is what golden sends.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -14,8 +14,7 @@
 #include "golden.h"
 #include "stream.h"
 
-/* --- A cube, and an output packet made by hand -------------------------------------------------
- */
+/* --- A cube, and an output packet made by hand ------------------------------------------------ */
 
 static const float cube_position[8][4] = {{-1, -1, -1, 1}, {1, -1, -1, 1}, {-1, 1, -1, 1},
                                           {1, 1, -1, 1},   {-1, -1, 1, 1}, {1, -1, 1, 1},
@@ -94,8 +93,7 @@ static void fix_crc(hs_packet *packet) {
     packet->word[packet->words - 1] = hs_crc(0, packet->word, packet->words - 4);
 }
 
-/* --- Encode --------------------------------------------------------------------------------------
- */
+/* --- Encode ----------------------------------------------------------------------------------- */
 
 static void crc_is_that_of_the_standard(void **state) {
     (void)state;
@@ -159,8 +157,7 @@ static void an_input_packet_is_laid_out_as_documented(void **state) {
     hs_mesh_free(&mesh);
 }
 
-/* --- Decode
- * ---------------------------------------------------------------------------------------- */
+/* --- Decode ----------------------------------------------------------------------------------- */
 
 static void a_packet_of_every_kind_of_record_decodes(void **state) {
     (void)state;
@@ -471,123 +468,76 @@ static void what_golden_sends_decodes(void **state) {
     hs_mesh_free(&mesh);
 }
 
-/* --- Frames
- * ------------------------------------------------------------------------------------------ */
+/* --- The documentation --------------------------------------------------------------------------
+ */
 
-/* A file in memory with the sample and a refused view. */
-static uint8_t *write_frames(size_t *size) {
-    hs_packet sample, refused;
-    hs_error err;
-    make_sample(&sample);
-    make_refused(&refused);
-    refused.view = 0xffff;
-    char *bytes = NULL;
-    FILE *file = open_memstream(&bytes, size);
+/* Reads the n-th packet (from 0) of docs/stream.md: lines of a position and a record's words. */
+static void read_example(hs_packet *packet, int n) {
+    FILE *file = fopen("docs/stream.md", "r");
     assert_non_null(file);
-    assert_true(hs_frame_write(file, &sample, "memory", &err));
-    assert_true(hs_frame_write(file, &refused, "memory", &err));
+    *packet = (hs_packet){0};
+    char line[300], word[4][9];
+    size_t at;
+    while (fgets(line, sizeof line, file)) {
+        if (sscanf(line, " %zu %8[0-9a-f] %8[0-9a-f] %8[0-9a-f] %8[0-9a-f]", &at, word[0], word[1],
+                   word[2], word[3]) != 5 ||
+            strlen(word[0]) + strlen(word[1]) + strlen(word[2]) + strlen(word[3]) != 32)
+            continue;
+        if (at == 0) n--;
+        if (n >= 0) continue;
+        if (n < -1) break;
+        assert_int_equal(at, packet->words);
+        uint32_t w[4];
+        for (int i = 0; i < 4; i++)
+            w[i] = (uint32_t)strtoul(word[i], NULL, 16);
+        put(packet, w[0], w[1], w[2], w[3]);
+    }
     fclose(file);
-    hs_packet_free(&sample);
-    hs_packet_free(&refused);
-    return (uint8_t *)bytes;
 }
 
-static void frames_bring_packets_back(void **state) {
-    (void)state;
-    size_t size, offset = 0;
-    uint8_t *bytes = write_frames(&size);
-    const uint8_t head[16] = {'H', 'S', '2', 'F', 7, 0, 0, 0, 100, 0, 0, 0, 0, 0, 0, 0};
-    assert_memory_equal(bytes, head, 16);
-    assert_int_equal(size, 16 + 400 + 16 + 48);
-    assert_memory_equal(bytes + 16, ((uint8_t[]){1, 0, 0x80, 0xff}), 4); /* little-endian */
-
-    hs_packet packet = {0}, sample;
-    make_sample(&sample);
-    hs_error err;
-    assert_true(hs_frame_read(&packet, bytes, size, &offset, "memory", &err));
-    assert_int_equal(offset, 416);
-    assert_int_equal(packet.view, 7);
-    assert_int_equal(packet.words, sample.words);
-    assert_memory_equal(packet.word, sample.word, 4 * sample.words);
-    assert_true(hs_frame_read(&packet, bytes, size, &offset, "memory", &err));
-    assert_int_equal(offset, size);
-    assert_int_equal(packet.view, 0xffff);
-    assert_int_equal(packet.words, 12);
-    assert_false(hs_frame_read(&packet, bytes, size, &offset, "memory", &err));
-    assert_int_equal(packet.words, 0);
-    hs_packet_free(&packet);
-    hs_packet_free(&sample);
-    free(bytes);
+static void expect_same(const hs_packet *packet, const hs_packet *expected) {
+    assert_int_equal(packet->words, expected->words);
+    for (size_t i = 0; i < expected->words; i++)
+        if (packet->word[i] != expected->word[i])
+            fail_msg("word %zu: 0x%08x, documented is 0x%08x", i, packet->word[i],
+                     expected->word[i]);
 }
 
-static void a_broken_frame_names_its_byte(void **state) {
+static void the_example_of_the_documentation_is_true(void **state) {
     (void)state;
-    static const struct {
-        size_t byte;
-        uint8_t value;
-        const char *cause;
-    } fault[] = {{0, 'h', "memory: byte 0: 0x46325368 is not the frame's magic word"},
-                 {6, 1, "memory: byte 4: view 65543"},
-                 {8, 101, "memory: byte 8: a packet of 101 words"},
-                 {8, 0, "memory: byte 8: a packet of 0 words"},
-                 {11, 0xff, "memory: byte 16: the file ends inside a packet of 4278190180 words"},
-                 {13, 1, "memory: byte 12: the frame's last word is 0x00000100"}};
-    hs_packet packet = {0};
+    static const float position[16] = {-1, -1, 1, 1, 1, -1, 1, 1, -1, 1, 1, 1, 1, 1, 1, 1};
+    static const float matrix[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 2, 0, 0, -1, 4};
+    static const uint32_t sides[1] = {4}, corner[4] = {0, 1, 3, 2};
+    const hs_soup soup = {.name = "face of a cube",
+                          .vertices = 4,
+                          .position = position,
+                          .faces = 1,
+                          .sides = sides,
+                          .corner = corner};
+    const hs_settings settings = {0, 0, 1, true, true};
+    hs_packet example_in, example_out, in = {0}, out = {0};
+    hs_golden_report report;
+    hs_output decoded;
+    hs_mesh mesh;
     hs_error err;
-    for (size_t i = 0; i < sizeof fault / sizeof *fault; i++) {
-        size_t size, offset = 0;
-        uint8_t *bytes = write_frames(&size);
-        bytes[fault[i].byte] = fault[i].value;
-        assert_false(hs_frame_read(&packet, bytes, size, &offset, "memory", &err));
-        assert_int_equal(err.code, HS_EXIT_STREAM);
-        assert_int_equal(offset, 0);
-        if (!strstr(err.text, fault[i].cause)) fail_msg("%s: %s", fault[i].cause, err.text);
-        free(bytes);
-    }
-    size_t size;
-    uint8_t *bytes = write_frames(&size);
-    for (size_t short_size = 0; short_size < 416; short_size++) {
-        size_t offset = 0;
-        uint8_t *exact = malloc(short_size + 1); /* for the address sanitizer */
-        assert_non_null(exact);
-        memcpy(exact, bytes, short_size);
-        assert_false(hs_frame_read(&packet, exact, short_size, &offset, "memory", &err));
-        free(exact);
-    }
-    free(bytes);
-    hs_packet_free(&packet);
-}
-
-static void what_no_frame_can_hold_is_not_written(void **state) {
-    (void)state;
-    hs_packet packet;
-    hs_error err;
-    make_sample(&packet);
-    char *bytes = NULL;
-    size_t size;
-    FILE *file = open_memstream(&bytes, &size);
-    assert_non_null(file);
-    packet.view = 0x10000;
-    assert_false(hs_frame_write(file, &packet, "memory", &err));
-    packet.view = 1;
-    packet.words = 99;
-    assert_false(hs_frame_write(file, &packet, "memory", &err));
-    packet.words = 0;
-    assert_false(hs_frame_write(file, &packet, "memory", &err));
-    assert_int_equal(err.code, HS_EXIT_STREAM);
-    fclose(file);
-    assert_int_equal(size, 0);
-    free(bytes);
-
-    packet.words = 100;
-    file = fopen("/dev/full", "wb");
-    if (file) {
-        setvbuf(file, NULL, _IONBF, 0);
-        assert_false(hs_frame_write(file, &packet, "/dev/full", &err));
-        assert_int_equal(err.code, HS_EXIT_FILE);
-        fclose(file);
-    }
-    hs_packet_free(&packet);
+    read_example(&example_in, 0);
+    read_example(&example_out, 1);
+    assert_true(hs_mesh_build(&mesh, &soup, NULL, &err));
+    assert_true(hs_packet_encode(&in, 0, &mesh, matrix, &settings, &err));
+    expect_same(&in, &example_in);
+    hs_golden *golden = hs_golden_new(HS_DEFAULT_LIMITS);
+    assert_non_null(golden);
+    assert_true(hs_golden_run(golden, &in, &out, &report, &err));
+    expect_same(&out, &example_out);
+    if (!hs_output_decode(&decoded, &example_out, &err)) fail_msg("%s", err.text);
+    assert_int_equal(decoded.generations, 1);
+    hs_output_free(&decoded);
+    hs_golden_free(golden);
+    hs_mesh_free(&mesh);
+    hs_packet_free(&example_in);
+    hs_packet_free(&example_out);
+    hs_packet_free(&in);
+    hs_packet_free(&out);
 }
 
 int main(void) {
@@ -604,9 +554,7 @@ int main(void) {
         cmocka_unit_test(a_view_without_faces_is_a_refused_one),
         cmocka_unit_test(hostile_words_are_only_ever_refused_or_decoded),
         cmocka_unit_test(what_golden_sends_decodes),
-        cmocka_unit_test(frames_bring_packets_back),
-        cmocka_unit_test(a_broken_frame_names_its_byte),
-        cmocka_unit_test(what_no_frame_can_hold_is_not_written),
+        cmocka_unit_test(the_example_of_the_documentation_is_true),
     };
     return cmocka_run_group_tests_name("stream", tests, NULL, NULL);
 }

@@ -36,8 +36,7 @@ static bool read_text(hs_views *views, const char *text, double aspect, hs_error
     return good;
 }
 
-/* --- Files
- * ----------------------------------------------------------------------------------------- */
+/* --- Files ------------------------------------------------------------------------------------ */
 
 static void a_views_file_gives_its_views_in_order(void **state) {
     (void)state;
@@ -183,8 +182,7 @@ static void a_malformed_line_names_file_line_and_word(void **state) {
     assert_int_equal(err.code, HS_EXIT_FILE);
 }
 
-/* --- Looks
- * ------------------------------------------------------------------------------------------- */
+/* --- Looks ------------------------------------------------------------------------------------ */
 
 /* The eight corners of the frustum, made from eye, directions and tangents alone, are the eight
  * corners of the clip cube: that fixes the matrix but for a factor, and w is the distance. */
@@ -246,8 +244,7 @@ static void a_look_that_shows_nothing_is_refused(void **state) {
     assert_int_equal(err.code, HS_EXIT_VIEWS);
 }
 
-/* --- Orbits
- * ------------------------------------------------------------------------------------------ */
+/* --- Orbits ----------------------------------------------------------------------------------- */
 
 /* Points on an ellipsoid, as a mesh of vertices alone; w is not 1. */
 static void make_points(hs_mesh *mesh, uint32_t count, const double axis[3], const double at[3]) {
