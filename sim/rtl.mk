@@ -18,7 +18,7 @@ $(RUNTIME): $(BUILD)/verilated/%.o: | $(BUILD)/packages
 
 # --- Single modules -------------------------------------------------------------------------------
 # tests/test_NAME.c drives tests/NAME_top.sv through tests/NAME_shim.cpp, with the class VNAME.
-UNITS := emit
+UNITS := emit fifo
 
 $(UNITS:%=$(BUILD)/verilated/%/log): $(BUILD)/verilated/%/log: tests/%_top.sv $(wildcard rtl/*.sv) | $(BUILD)/packages
 	@mkdir -p $(@D)
