@@ -320,6 +320,8 @@ static void dropped_vertices_do_not_shift_the_numbers_in_messages(void **state) 
     FACE(&d, 5, 6, 4);
     FACE(&d, 5, 6, 8);
     REFUSED(&d, "draft:502: ", "edge 6-7");
+    FACE(&d, 6, 5, 2);
+    REFUSED(&d, "draft:502: ", "edge 6-7 belongs to 3 faces");
 }
 
 static void messages_do_without_lines(void **state) {

@@ -222,6 +222,7 @@ static const struct {
     {TRIANGLE "f 1 2 3/a\n", 4, {"'3/a' is not a corner"}},
     {TRIANGLE "f 1 2 3/1/1/1\n", 4, {"'3/1/1/1' is not a corner"}},
     {TRIANGLE "f 1 2 3 \\ \n", 4, {"'\\' is not a corner"}},
+    {TRIANGLE "f 1 2 3 \\# no\n", 4, {"'\\' is not a corner"}},
     {TRIANGLE "f 1 2 3\\", 4, {"'3\\' is not a corner"}},
     {TRIANGLE "f 1 2 1\n", 4, {"face 1", "vertex 1 more than once"}},
     {TRIANGLE "f 1 \\\n2 \\\n3\nf 1 2 x\n", 7, {"'x' is not a corner"}},
