@@ -57,7 +57,7 @@ typedef struct quote {
 static quote quoted(const char *word) {
     quote q;
     size_t n = 0;
-    for (; word[n] != 0 && n < sizeof q.text - 1; n++)
+    for (; n < sizeof q.text - 1 && word[n] != 0; n++)
         q.text[n] = word[n] >= ' ' && word[n] <= '~' ? word[n] : '?';
     q.text[n] = 0;
     return q;

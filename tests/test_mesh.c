@@ -448,7 +448,7 @@ static void assert_file_refused(const char *path) {
     hs_error err;
     if (hs_obj_read(&mesh, path, NULL, &err)) fail_msg("%s was not refused", path);
     assert_int_equal(err.code, HS_EXIT_MESH);
-    char place[300];
+    char place[320];
     snprintf(place, sizeof place, "%s:", path);
     assert_memory_equal(err.text, place, strlen(place));
 }
