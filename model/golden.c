@@ -97,7 +97,9 @@ static bool keep_decisions(hs_golden *golden) {
         if (!resize(&golden->decision[g], s->faces, 1)) return false;
         golden->decision_room[g] = s->faces;
     }
-    if (s->finish)
+    if (s->faces == 0)
+        ; /* all that the step before refined became triangles: there may be no array yet */
+    else if (s->finish)
         memset(golden->decision[g], 0, s->faces);
     else
         memcpy(golden->decision[g], s->decision, s->faces);
