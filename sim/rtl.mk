@@ -4,21 +4,49 @@
 
 VERILATOR_INCLUDE := $(shell verilator --getenv VERILATOR_ROOT 2>/dev/null)/include
 # Registers and memories start with seeded random contents, so that a missing reset shows. The
-# waveform writer costs nothing until a file is opened.
-VERILATE := verilator --cc --build -O3 -Wall --assert --x-initial unique --threads 1 \
+# assertions stay armed: a broken rule stops the run.
+VERILATE := verilator --cc --build --build-jobs 2 -O3 -Wall --assert --x-initial unique --threads 1 \
             -MAKEFLAGS "-s OPT_FAST=-O2 OPT_SLOW=-O1 OPT_GLOBAL=-O2"
 VERILATED_FLAGS = $(CXXFLAGS) -isystem $(VERILATOR_INCLUDE) -isystem $(VERILATOR_INCLUDE)/vltstd
 
-# What a Verilated model is linked with, compiled once.
+# What every Verilated model is linked with.
 RUNTIME := $(addprefix $(BUILD)/verilated/,verilated.o verilated_threads.o verilated_fst_c.o)
 $(RUNTIME): $(BUILD)/verilated/%.o: | $(BUILD)/packages
 	@mkdir -p $(@D)
 	$(CXX) -std=c++17 -O2 -DVM_TRACE=1 -DVM_TRACE_FST=1 -I$(VERILATOR_INCLUDE) -I$(VERILATOR_INCLUDE)/vltstd \
 	    -c $(VERILATOR_INCLUDE)/$*.cpp -o $@
 
+# --- The pipeline -----------------------------------------------------------------------------------
+# rtl/files.f lists its modules. The waveform writer costs nothing until a file is opened.
+RTL_DIR := $(BUILD)/verilated/halfstep
+
+$(RTL_DIR)/log: rtl/files.f $(wildcard rtl/*.sv) | $(BUILD)/packages
+	@mkdir -p $(@D)
+	$(VERILATE) --trace-fst --output-split 20000 --Mdir $(@D) --prefix Vhalfstep --top-module halfstep \
+	    -f rtl/files.f >$@.part 2>&1 || { cat $@.part; exit 1; }
+	@mv $@.part $@
+
+$(RTL_DIR)/rtl_shim.o: sim/rtl_shim.cpp $(RTL_DIR)/log
+	$(CXX) $(VERILATED_FLAGS) -isystem $(@D) -c $< -o $@
+
+# An archive of its own, behind libsim.a and before libhalfstep.a on the linker's line.
+$(BUILD)/librtl.a: $(RTL_DIR)/rtl_shim.o $(RUNTIME)
+	rm -f $@ && cp $(RTL_DIR)/Vhalfstep__ALL.a $@ && ar rs $@ $^
+
+RTL_LIBS := $(BUILD)/libsim.a $(BUILD)/librtl.a $(BUILD)/libhalfstep.a
+LINK_RTL  = $(CXX) $< $(RTL_LIBS) -o $@ $(LIBS) -pthread
+
+$(BUILD)/halfstep: $(BUILD)/sim/main.o $(RTL_LIBS)
+	$(LINK_RTL)
+
+# Tests that run the pipeline are named test_rtl*.c.
+RTL_TESTS := $(filter $(BUILD)/test_rtl%,$(TESTS))
+$(RTL_TESTS): $(BUILD)/test_%: $(BUILD)/tests/test_%.o $(RTL_LIBS)
+	$(LINK_RTL) -lcmocka
+
 # --- Single modules -------------------------------------------------------------------------------
 # tests/test_NAME.c drives tests/NAME_top.sv through tests/NAME_shim.cpp, with the class VNAME.
-UNITS := emit fifo
+UNITS := emit registers
 
 $(UNITS:%=$(BUILD)/verilated/%/log): $(BUILD)/verilated/%/log: tests/%_top.sv $(wildcard rtl/*.sv) | $(BUILD)/packages
 	@mkdir -p $(@D)

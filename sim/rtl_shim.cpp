@@ -1,0 +1,523 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * rtl.h on the Verilated pipeline: drives the streams with their pauses, watches the rules of the
+ * output, reads the counters over AXI4-Lite.
+ *
+ * A cycle has two halves. In the first the inputs are set and settle, and what the ports show is
+ * what both sides see at the coming edge; the second is the edge. In a waveform, cycle c lasts from
+ * time 10c (its state) to 10c + 10, and its inputs come at 10c + 5.
+ */
+#include <cstring>
+#include <memory>
+#include <new>
+#include <string>
+
+#include "Vhalfstep.h"
+#include "rtl.h"
+#include "verilated.h"
+#include "verilated_fst_c.h"
+
+static constexpr size_t BEAT_WORDS = sizeof(Vhalfstep::m_axis_tdata) / 4;
+static constexpr uint32_t COUNTERS = 6; /* of a stage: the activities, in, out */
+static constexpr uint32_t IN = 4, OUT = 5;
+
+/* One bus access at a time. The slave sees it from start() on; done is set by observe(). */
+struct axil {
+    bool reading = false, writing = false, address_open = false, data_open = false;
+    uint32_t address = 0, data = 0, response = 0;
+    uint64_t when = 0; /* cycle in which a read's address was taken */
+
+    bool idle() const {
+        return !reading && !writing;
+    }
+    void read(uint32_t from) {
+        reading = address_open = true;
+        address = from;
+    }
+    void write(uint32_t to, uint32_t value) {
+        writing = address_open = data_open = true;
+        address = to;
+        data = value;
+    }
+};
+
+/* The counters of all stages, read while no stage works. */
+struct snapshot {
+    uint64_t when; /* cycle to which they refer */
+    uint32_t cycles, conflicts;
+    uint32_t stage[HS_STAGES][COUNTERS];
+};
+
+struct hs_rtl {
+    VerilatedContext context;
+    std::unique_ptr<Vhalfstep> top;
+    std::unique_ptr<VerilatedFstC> trace;
+    uint64_t trace_first = 0, trace_last = 0;
+    uint64_t cycle = 0;
+    hs_limits limits{}, capacity{};
+    axil bus;
+    snapshot before{};
+    bool broken = false; /* the last run failed: reset before the next */
+};
+
+/* --- Cycles -------------------------------------------------------------------------------------
+ */
+static void dump(hs_rtl *rtl, uint64_t time) {
+    if (rtl->trace && rtl->cycle >= rtl->trace_first && rtl->cycle <= rtl->trace_last)
+        rtl->trace->dump(time);
+}
+
+/* First half: inputs are set, outputs settle. */
+static void settle(hs_rtl *rtl) {
+    Vhalfstep &top = *rtl->top;
+    const axil &bus = rtl->bus;
+    top.s_axil_arvalid = bus.reading && bus.address_open;
+    top.s_axil_araddr = static_cast<uint16_t>(bus.address);
+    top.s_axil_rready = bus.reading;
+    top.s_axil_awvalid = bus.writing && bus.address_open;
+    top.s_axil_awaddr = static_cast<uint16_t>(bus.address);
+    top.s_axil_wvalid = bus.writing && bus.data_open;
+    top.s_axil_wdata = bus.data;
+    top.s_axil_wstrb = 15;
+    top.s_axil_bready = bus.writing;
+    top.clk_i = 0;
+    top.eval();
+    dump(rtl, 10 * rtl->cycle + 5);
+}
+
+/* Second half: the clock's edge. False if an assertion of the RTL failed; it has printed itself. */
+static bool step(hs_rtl *rtl, hs_error *err) {
+    Vhalfstep &top = *rtl->top;
+    axil &bus = rtl->bus;
+    if (bus.reading) {
+        if (bus.address_open && top.s_axil_arready) {
+            bus.address_open = false;
+            bus.when = rtl->cycle;
+        } else if (!bus.address_open && top.s_axil_rvalid) {
+            bus.reading = false;
+            bus.data = top.s_axil_rdata;
+            bus.response = top.s_axil_rresp;
+        }
+    }
+    if (bus.writing) {
+        if (!bus.address_open && !bus.data_open && top.s_axil_bvalid) {
+            bus.writing = false;
+            bus.response = top.s_axil_bresp;
+        }
+        if (bus.address_open && top.s_axil_awready) bus.address_open = false;
+        if (bus.data_open && top.s_axil_wready) bus.data_open = false;
+    }
+    top.clk_i = 1;
+    top.eval();
+    rtl->cycle++;
+    rtl->context.time(rtl->cycle); /* what the assertions print */
+    dump(rtl, 10 * rtl->cycle);
+    if (!rtl->context.gotError()) return true;
+    return hs_fail(err, HS_EXIT_INTERNAL,
+                   "cycle %llu: an assertion of the RTL failed (printed above)",
+                   static_cast<unsigned long long>(rtl->cycle - 1));
+}
+
+/* Lets the bus access finish while the streams rest. */
+static bool finish_access(hs_rtl *rtl, hs_error *err) {
+    const uint64_t start = rtl->cycle;
+    while (!rtl->bus.idle()) {
+        settle(rtl);
+        if (!step(rtl, err)) return false;
+        if (rtl->cycle - start > 1000)
+            return hs_fail(err, HS_EXIT_INTERNAL, "register 0x%03x does not answer",
+                           rtl->bus.address);
+    }
+    if (rtl->bus.response)
+        return hs_fail(err, HS_EXIT_INTERNAL, "register 0x%03x answers with an error",
+                       rtl->bus.address);
+    return true;
+}
+
+static bool read_register(hs_rtl *rtl, uint32_t address, uint32_t *value, hs_error *err) {
+    rtl->bus.read(address);
+    if (!finish_access(rtl, err)) return false;
+    *value = rtl->bus.data;
+    return true;
+}
+
+static bool write_register(hs_rtl *rtl, uint32_t address, uint32_t value, hs_error *err) {
+    rtl->bus.write(address, value);
+    return finish_access(rtl, err);
+}
+
+static uint32_t counter_address(uint32_t stage, uint32_t counter) {
+    return HS_REG_STAGES + 32 * stage + 4 * counter;
+}
+
+/* Reading CYCLES is what the idle counters refer to. */
+static bool take_snapshot(hs_rtl *rtl, snapshot *s, hs_error *err) {
+    if (!read_register(rtl, HS_REG_CYCLES, &s->cycles, err)) return false;
+    s->when = rtl->bus.when;
+    for (uint32_t stage = 0; stage < HS_STAGES; stage++)
+        for (uint32_t counter = 0; counter < COUNTERS; counter++)
+            if (!read_register(rtl, counter_address(stage, counter), &s->stage[stage][counter],
+                               err))
+                return false;
+    return read_register(rtl, HS_REG_CONFLICTS, &s->conflicts, err);
+}
+
+static bool reset(hs_rtl *rtl, hs_error *err) {
+    Vhalfstep &top = *rtl->top;
+    rtl->context.gotError(false);
+    rtl->context.gotFinish(false);
+    rtl->bus = axil();
+    top.s_axis_tvalid = 0;
+    top.s_axis_tlast = 0;
+    top.m_axis_tready = 0;
+    top.rst_i = 1;
+    for (int i = 0; i < 4; i++) {
+        settle(rtl);
+        if (!step(rtl, err)) return false;
+    }
+    top.rst_i = 0;
+    if (!write_register(rtl, HS_REG_LIMIT_VERTICES, rtl->limits.vertices, err) ||
+        !write_register(rtl, HS_REG_LIMIT_QUADS, rtl->limits.quads, err) ||
+        !take_snapshot(rtl, &rtl->before, err))
+        return false;
+    rtl->broken = false;
+    return true;
+}
+
+/* --- Construction
+ * --------------------------------------------------------------------------------- */
+static bool check_identity(hs_rtl *rtl, hs_error *err) {
+    uint32_t identity = 0, version = 0;
+    hs_limits &capacity = rtl->capacity;
+    if (!read_register(rtl, HS_REG_IDENTITY, &identity, err) ||
+        !read_register(rtl, HS_REG_VERSION, &version, err) ||
+        !read_register(rtl, HS_REG_CAPACITY_VERTICES, &capacity.vertices, err) ||
+        !read_register(rtl, HS_REG_CAPACITY_QUADS, &capacity.quads, err))
+        return false;
+    if (identity != HS_IDENTITY || version != HS_STREAM_VERSION)
+        return hs_fail(err, HS_EXIT_INTERNAL,
+                       "the RTL says identity 0x%08x, stream version %u, instead of 0x%08x, %u",
+                       identity, version, static_cast<uint32_t>(HS_IDENTITY),
+                       static_cast<uint32_t>(HS_STREAM_VERSION));
+    if (rtl->limits.vertices > capacity.vertices || rtl->limits.quads > capacity.quads)
+        return hs_fail(err, HS_EXIT_USAGE,
+                       "limits of %u vertices and %u quads exceed the RTL's capacity of %u and %u",
+                       rtl->limits.vertices, rtl->limits.quads, capacity.vertices, capacity.quads);
+    return true;
+}
+
+hs_rtl *hs_rtl_new(hs_limits limits, uint32_t seed, hs_error *err) {
+    auto *rtl = new (std::nothrow) hs_rtl;
+    if (!rtl) {
+        hs_fail(err, HS_EXIT_INTERNAL, "no memory for the simulation");
+        return nullptr;
+    }
+    rtl->limits = limits;
+    rtl->context.traceEverOn(true);
+    rtl->context.fatalOnError(false);
+    rtl->context.randReset(2);
+    rtl->context.randSeed(static_cast<int>(seed % 0x7fffffff + 1)); /* 0: chosen by the clock */
+    rtl->top = std::make_unique<Vhalfstep>(&rtl->context);
+    if (!reset(rtl, err) || !check_identity(rtl, err)) {
+        hs_rtl_free(rtl);
+        return nullptr;
+    }
+    return rtl;
+}
+
+void hs_rtl_free(hs_rtl *rtl) {
+    if (!rtl) return;
+    if (rtl->trace) rtl->trace->close();
+    rtl->top->final();
+    delete rtl;
+}
+
+uint64_t hs_rtl_cycle(const hs_rtl *rtl) {
+    return rtl->cycle;
+}
+
+bool hs_rtl_trace(hs_rtl *rtl, const char *path, uint64_t first, uint64_t last, hs_error *err) {
+    if (rtl->trace) rtl->trace->close();
+    rtl->trace.reset();
+    if (!path) return true;
+    rtl->trace = std::make_unique<VerilatedFstC>();
+    rtl->top->trace(rtl->trace.get(), 99);
+    rtl->trace->open(path);
+    if (!rtl->trace->isOpen()) {
+        rtl->trace.reset();
+        return hs_fail(err, HS_EXIT_FILE, "%s: cannot be written; check its folder", path);
+    }
+    rtl->trace_first = first;
+    rtl->trace_last = last;
+    return true;
+}
+
+/* --- Pauses
+ * --------------------------------------------------------------------------------------- */
+struct pauses {
+    uint64_t state;
+    uint32_t percent;
+    pauses(uint32_t seed, uint32_t side, uint32_t percent)
+        : state((static_cast<uint64_t>(seed) << 8 | side) * 0x9e3779b97f4a7c15u | 1),
+          percent(percent < 95 ? percent : 95) {}
+    bool pause() { /* xorshift64, its upper half as a fraction of 100 */
+        if (percent == 0) return false;
+        state ^= state << 13;
+        state ^= state >> 7;
+        state ^= state << 17;
+        return (state >> 32) * 100 >> 32 < percent;
+    }
+};
+
+/* --- How long a view may take --------------------------------------------------------------------
+ *
+ * Two bounds, both far above what the pipeline needs. In total: every generation reads, at most,
+ * twice the faces of the one before, and no more than the limits; a face or a vertex takes a few
+ * cycles, a division by an odd valence some dozens. And between two items that any stage takes or
+ * gives: a sweep over the memories. */
+static uint64_t most_cycles(const hs_rtl *rtl, const hs_packet *in, hs_stalls stalls) {
+    const uint64_t per_item = 64, records = in->words / 4;
+    uint32_t depth = 0;
+    if (in->words >= 8) {
+        const uint32_t depths = in->word[6], corners = in->word[5];
+        for (int i = 0; i < 24; i += 8)
+            if ((depths >> i & 0xff) > depth) depth = depths >> i & 0xff;
+        for (uint64_t r = corners + 1 < records ? records - corners - 1 : records; r < records; r++)
+            if ((in->word[4 * r + 2] >> 8 & 0xff) > depth) depth = in->word[4 * r + 2] >> 8 & 0xff;
+    }
+    if (depth > HS_MAX_DEPTH) depth = HS_MAX_DEPTH;
+    const uint64_t most =
+        static_cast<uint64_t>(rtl->capacity.vertices) + rtl->capacity.quads + records;
+    uint64_t items = records, sum = records;
+    for (uint32_t g = 0; g <= depth; g++) {
+        sum += items;
+        items = 2 * items < most ? 2 * items : most;
+    }
+    const uint64_t taken = 100 - (stalls.input < 95 ? stalls.input : 95);
+    const uint64_t given = 100 - (stalls.output < 95 ? stalls.output : 95);
+    const uint64_t sweep = static_cast<uint64_t>(rtl->capacity.vertices) + rtl->capacity.quads;
+    return (65536 + 4 * sweep + per_item * sum) * 100 / taken * 100 / given;
+}
+
+static uint64_t most_silence(const hs_rtl *rtl) {
+    return 65536 + 4 * (static_cast<uint64_t>(rtl->capacity.vertices) + rtl->capacity.quads);
+}
+
+/* Looks at the item counters, one bus access after the other, while nothing goes in or out. */
+struct watch {
+    uint64_t moved; /* cycle of the last sign of life */
+    uint32_t next = 0;
+    bool polling = false, changed = false;
+    uint32_t items[HS_STAGES][2] = {};
+
+    explicit watch(uint64_t now) : moved(now) {}
+
+    void look(hs_rtl *rtl) {
+        if (!rtl->bus.idle()) return;
+        if (polling) {
+            uint32_t &item = items[next / 2][next % 2];
+            changed |= item != rtl->bus.data;
+            item = rtl->bus.data;
+            polling = ++next < 2 * HS_STAGES;
+            if (!polling && changed) moved = rtl->cycle;
+        } else if ((rtl->cycle - moved) % 4096 == 4095) {
+            polling = true;
+            changed = false;
+            next = 0;
+        }
+        if (polling) rtl->bus.read(counter_address(next / 2, IN + next % 2));
+    }
+
+    /* "; held: classify 3, split 1" */
+    std::string held() const {
+        std::string text;
+        for (uint32_t s = 0; s < HS_STAGES; s++)
+            if (items[s][0] != items[s][1])
+                text += (text.empty() ? "; held: " : ", ") + std::string(hs_stage_name(s)) + " " +
+                        std::to_string(static_cast<int32_t>(items[s][0] - items[s][1]));
+        return text;
+    }
+};
+
+/* --- One view
+ * ------------------------------------------------------------------------------------- */
+
+/* The beat that the output showed in the last cycle and that nobody took. */
+struct beat {
+    bool open = false, last = false;
+    uint32_t id = 0, data[BEAT_WORDS] = {};
+    uint64_t keep = 0;
+};
+
+static bool break_of_rule(const hs_rtl *rtl, const hs_packet *in, const char *what, hs_error *err) {
+    return hs_fail(err, HS_EXIT_INTERNAL,
+                   "view %u, cycle %llu: the RTL breaks a rule of its "
+                   "output stream: %s",
+                   in->view, static_cast<unsigned long long>(rtl->cycle), what);
+}
+
+/* Puts the next beat of the packet on the input. */
+static void offer(Vhalfstep &top, const hs_packet *in, size_t at) {
+    const size_t left = in->words - at, words = left < BEAT_WORDS ? left : BEAT_WORDS;
+    for (size_t i = 0; i < BEAT_WORDS; i++)
+        top.s_axis_tdata[i] = i < words ? in->word[at + i] : 0;
+    top.s_axis_tkeep = words == 16 ? ~uint64_t{0} : (uint64_t{1} << 4 * words) - 1;
+    top.s_axis_tlast = left <= BEAT_WORDS;
+    top.s_axis_tid = static_cast<uint16_t>(in->view);
+}
+
+/* Checks what the output shows in this cycle against the last one, and a beat in itself. */
+static bool check_output(hs_rtl *rtl, const hs_packet *in, const beat &before, bool ended,
+                         hs_error *err) {
+    const Vhalfstep &top = *rtl->top;
+    if (before.open && !top.m_axis_tvalid)
+        return break_of_rule(rtl, in, "tvalid fell before the beat was taken", err);
+    if (!top.m_axis_tvalid) return true;
+    if (before.open && (before.last != top.m_axis_tlast || before.id != top.m_axis_tid ||
+                        before.keep != top.m_axis_tkeep ||
+                        std::memcmp(before.data, &top.m_axis_tdata[0], sizeof before.data) != 0))
+        return break_of_rule(rtl, in, "a beat changed before it was taken", err);
+    if (ended) return break_of_rule(rtl, in, "a beat behind the packet's last one", err);
+    if (top.m_axis_tid != (in->view & 0xffff))
+        return break_of_rule(rtl, in, "tid is not the view's number", err);
+    /* Whole records, from the lowest up; fewer than a beat holds only at the end. */
+    uint64_t full = 0;
+    for (size_t records = 1; records <= BEAT_WORDS / 4; records++) {
+        full = full << 16 | 0xffff;
+        if (top.m_axis_tkeep == full && (top.m_axis_tlast || records == BEAT_WORDS / 4))
+            return true;
+    }
+    return break_of_rule(rtl, in, "tkeep is not a row of whole records, or has gaps", err);
+}
+
+/* Streams the packet in and the answer out. */
+static bool stream(hs_rtl *rtl, const hs_packet *in, hs_stalls stalls, hs_packet *out,
+                   hs_rtl_report *report, hs_error *err) {
+    Vhalfstep &top = *rtl->top;
+    pauses input(stalls.seed, 1, stalls.input), output(stalls.seed, 2, stalls.output);
+    const uint64_t begin = rtl->cycle, most = most_cycles(rtl, in, stalls);
+    const uint64_t silence = most_silence(rtl);
+    watch life(begin);
+    beat shown;
+    size_t at = 0;
+    bool offered = false, taken = false, ended = false, started = false;
+    report->first_out = 0;
+    while (!ended || !taken || !rtl->bus.idle()) {
+        if (!offered && !taken && !input.pause()) {
+            offer(top, in, at);
+            offered = true;
+            if (at == 0) report->start = rtl->cycle;
+        }
+        top.s_axis_tvalid = offered;
+        top.m_axis_tready = !output.pause();
+        if (!ended) life.look(rtl);
+        settle(rtl);
+
+        if (!check_output(rtl, in, shown, ended, err)) return false;
+        shown.open = top.m_axis_tvalid && !top.m_axis_tready;
+        if (shown.open) {
+            shown.last = top.m_axis_tlast;
+            shown.id = top.m_axis_tid;
+            shown.keep = top.m_axis_tkeep;
+            std::memcpy(shown.data, &top.m_axis_tdata[0], sizeof shown.data);
+        }
+        if (top.m_axis_tvalid && top.m_axis_tready) {
+            const auto bytes = static_cast<size_t>(__builtin_popcountll(top.m_axis_tkeep));
+            if (!hs_packet_append(out, &top.m_axis_tdata[0], bytes / 16, err)) return false;
+            if (!started) report->first_out = rtl->cycle;
+            started = true;
+            ended = top.m_axis_tlast;
+            report->end = rtl->cycle;
+            life.moved = rtl->cycle;
+        }
+        if (offered && top.s_axis_tready) {
+            offered = false;
+            at += BEAT_WORDS;
+            taken = at >= in->words;
+            life.moved = rtl->cycle;
+        }
+        if (!step(rtl, err)) return false;
+        if (rtl->cycle - life.moved > silence)
+            return hs_fail(err, HS_EXIT_INTERNAL,
+                           "view %u, cycle %llu: the RTL hangs: nothing has moved for %llu "
+                           "cycles%s",
+                           in->view, static_cast<unsigned long long>(rtl->cycle),
+                           static_cast<unsigned long long>(silence), life.held().c_str());
+        if (rtl->cycle - begin > most)
+            return hs_fail(err, HS_EXIT_INTERNAL,
+                           "view %u, cycle %llu: the RTL does not come to an end: more than %llu "
+                           "cycles%s",
+                           in->view, static_cast<unsigned long long>(rtl->cycle),
+                           static_cast<unsigned long long>(most), life.held().c_str());
+    }
+    top.s_axis_tvalid = 0;
+    top.m_axis_tready = 0;
+    report->cycles = report->end - report->start + 1;
+    return true;
+}
+
+/* Behind a view: nothing may come any more, the pipeline comes to rest. */
+static bool rest(hs_rtl *rtl, const hs_packet *in, hs_error *err) {
+    const uint64_t begin = rtl->cycle;
+    for (uint32_t busy = 1; busy;) {
+        if (!read_register(rtl, HS_REG_BUSY, &busy, err)) return false;
+        if (rtl->top->m_axis_tvalid)
+            return break_of_rule(rtl, in, "a beat behind the packet's last one", err);
+        if (rtl->cycle - begin > most_silence(rtl))
+            return hs_fail(err, HS_EXIT_INTERNAL, "view %u: the RTL stays busy behind it",
+                           in->view);
+    }
+    return true;
+}
+
+/* The counters of the view: what they grew by. Idle is what the view's own cycles leave. */
+static bool account(const hs_rtl *rtl, const hs_packet *in, const snapshot &after,
+                    hs_rtl_report *report, hs_error *err) {
+    const snapshot &before = rtl->before;
+    const uint32_t cycles = after.cycles - before.cycles;
+    if (cycles != static_cast<uint32_t>(after.when - before.when))
+        return hs_fail(err, HS_EXIT_INTERNAL, "view %u: the RTL counts %u cycles instead of %u",
+                       in->view, cycles, static_cast<uint32_t>(after.when - before.when));
+    report->conflicts = after.conflicts - before.conflicts;
+    for (uint32_t s = 0; s < HS_STAGES; s++) {
+        uint32_t grown[COUNTERS], sum = 0;
+        for (uint32_t c = 0; c < COUNTERS; c++)
+            grown[c] = after.stage[s][c] - before.stage[s][c];
+        for (uint32_t a = 0; a < HS_ACTIVITIES; a++) {
+            report->activity[s][a] = grown[a];
+            sum += grown[a];
+        }
+        report->items_in[s] = grown[IN];
+        report->items_out[s] = grown[OUT];
+        const uint64_t active = report->activity[s][HS_ACTIVITY_busy] +
+                                report->activity[s][HS_ACTIVITY_starved] +
+                                report->activity[s][HS_ACTIVITY_blocked];
+        if (sum != cycles || active > report->cycles)
+            return hs_fail(err, HS_EXIT_INTERNAL,
+                           "view %u: stage %s was busy %u, starved %u, blocked %u and idle %u "
+                           "cycles of %u, the view's own %llu among them",
+                           in->view, hs_stage_name(s), grown[0], grown[1], grown[2], grown[3],
+                           cycles, static_cast<unsigned long long>(report->cycles));
+        if (grown[IN] != grown[OUT])
+            return hs_fail(err, HS_EXIT_INTERNAL, "view %u: stage %s took %u items and gave %u",
+                           in->view, hs_stage_name(s), grown[IN], grown[OUT]);
+        report->activity[s][HS_ACTIVITY_idle] = report->cycles - active;
+    }
+    return true;
+}
+
+bool hs_rtl_run(hs_rtl *rtl, const hs_packet *in, hs_stalls stalls, hs_packet *out,
+                hs_rtl_report *report, hs_error *err) {
+    std::memset(report, 0, sizeof *report);
+    out->view = in->view;
+    out->words = 0;
+    if (rtl->broken && !reset(rtl, err)) return false;
+    rtl->broken = true;
+    snapshot after;
+    if (!stream(rtl, in, stalls, out, report, err) || !rest(rtl, in, err) ||
+        !take_snapshot(rtl, &after, err) || !account(rtl, in, after, report, err))
+        return false;
+    rtl->before = after;
+    rtl->broken = false;
+    return true;
+}
