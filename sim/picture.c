@@ -226,7 +226,7 @@ bool hs_picture_subtract(hs_picture *difference, const hs_picture *a, const hs_p
         }
         double strength = fmin(worst * gain / 255, 1);
         size_t k = strength < 1 ? (size_t)(strength * 3) : 2;
-        double within = strength * 3 - (double)k, opacity = fmin(1, 0.35 + 2 * strength);
+        double within = strength * 3 - (double)k, opacity = sqrt(strength);
         for (size_t c = 0; c < 3; c++) {
             double ink = tint[k][c] + (tint[k + 1][c] - tint[k][c]) * within;
             double value = worst ? pale + (ink - pale) * opacity : pale;

@@ -318,7 +318,7 @@ static bool turns_left(const double *a, const double *b, const double *c, const 
 static uint32_t cut_ears(const hs_surface *surface, uint32_t face, const double normal[3],
                          uint8_t *triangle) {
     uint32_t left = surface->first[face + 1] - surface->first[face], triangles = 0;
-    uint8_t ring[HS_MAX_SIDES];
+    uint8_t ring[HS_MAX_SIDES] = {0};
     for (uint32_t i = 0; i < left; i++)
         ring[i] = (uint8_t)i;
     while (left > 3) {
