@@ -7,9 +7,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "definitions.h"
+#include "file.h"
 
 /* libpng reports an error by calling this; it goes back to the caller's setjmp with the reason. */
 static void on_error(png_structp png, png_const_charp reason) {
@@ -52,30 +52,13 @@ static bool encode(const hs_picture *picture, FILE *file, char *reason) {
 }
 
 bool hs_png_write(const hs_picture *picture, const char *path, hs_error *err) {
-    /* The temporary name carries the process number: two runs may write into one folder. */
-    size_t size = strlen(path) + 32;
-    char *temporary = malloc(size);
-    if (!temporary) return hs_fail(err, HS_EXIT_INTERNAL, "%s: no memory to write it", path);
-    snprintf(temporary, size, "%s.%ld.part", path, (long)getpid());
-
+    hs_file file;
     char reason[200] = "";
-    FILE *file = fopen(temporary, "wb");
-    bool done = file != NULL;
-    if (!done) snprintf(reason, sizeof reason, "%s", strerror(errno));
-    if (done) {
-        done = encode(picture, file, reason);
-        bool closed = fclose(file) == 0;
-        if (done && (!closed || rename(temporary, path) != 0)) {
-            snprintf(reason, sizeof reason, "%s", strerror(errno));
-            done = false;
-        }
-        if (!done) remove(temporary);
-    }
-    free(temporary);
-    return done || hs_fail(err, HS_EXIT_FILE,
-                           "%s: cannot be written (%s); check that the folder exists, can be "
-                           "written to, and has space",
-                           path, reason);
+    if (!hs_file_create(&file, path, err)) return false;
+    if (encode(picture, file.stream, reason)) return hs_file_commit(&file, err);
+    hs_file_abandon(&file);
+    return hs_fail(err, HS_EXIT_FILE, "%s: cannot be written (%s); check that there is space", path,
+                   reason);
 }
 
 /* --- Reading ---------------------------------------------------------------------------------- */

@@ -2,7 +2,6 @@
  *
  * Pictures: do the measures measure what they say, and do files hold what was drawn?
  */
-#include <dirent.h>
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -16,6 +15,7 @@
 #include <cmocka.h>
 
 #include "definitions.h"
+#include "folder.h"
 #include "picture.h"
 #include "png_file.h"
 #include "render.h"
@@ -28,22 +28,6 @@ static hs_picture make_mask(uint32_t width, uint32_t height, bool (*inside)(doub
         for (uint32_t x = 0; x < width; x++)
             picture.coverage[y * width + x] = inside(x, y) ? 255 : 0;
     return picture;
-}
-
-static char *make_folder(void) {
-    char *path = strdup("/tmp/halfstep-render-XXXXXX");
-    assert_non_null(mkdtemp(path));
-    return path;
-}
-
-static uint32_t entries(const char *folder) {
-    uint32_t count = 0;
-    DIR *dir = opendir(folder);
-    assert_non_null(dir);
-    for (struct dirent *e; (e = readdir(dir));)
-        count += strcmp(e->d_name, ".") != 0 && strcmp(e->d_name, "..") != 0;
-    closedir(dir);
-    return count;
 }
 
 /* --- Do the measures measure? ----------------------------------------------------------------- */
@@ -151,7 +135,9 @@ static void psnr_and_counts_are_those_of_a_known_difference(void **state) {
 static void png_files_give_back_what_was_written(void **state) {
     (void)state;
     hs_error err = {0};
-    char *folder = make_folder(), path[100];
+    folder own = make_folder();
+    const char *folder = own.path;
+    char path[200];
     snprintf(path, sizeof path, "%s/a.png", folder);
     const uint32_t size[3][2] = {{1, 1}, {7, 3}, {256, 41}};
     for (int i = 0; i < 3; i++) {
@@ -166,7 +152,7 @@ static void png_files_give_back_what_was_written(void **state) {
         hs_picture_free(&a);
         hs_picture_free(&b);
     }
-    assert_int_equal(entries(folder), 1);
+    assert_int_equal(count_entries(&own), 1);
     /* Half a file is no picture. */
     assert_int_equal(truncate(path, 60), 0);
     hs_picture none;
@@ -175,20 +161,21 @@ static void png_files_give_back_what_was_written(void **state) {
     assert_null(none.rgb);
     remove(path);
     rmdir(folder);
-    free(folder);
 }
 
 static void what_cannot_be_written_leaves_nothing_behind(void **state) {
     (void)state;
     hs_error err = {0};
     hs_picture a;
-    char *folder = make_folder(), path[200];
+    folder own = make_folder();
+    const char *folder = own.path;
+    char path[200];
     assert_true(hs_picture_make(&a, 8, 8, 0x123456, &err));
     snprintf(path, sizeof path, "%s/missing/a.png", folder);
     assert_false(hs_png_write(&a, path, &err));
     assert_int_equal(err.code, HS_EXIT_FILE);
     assert_non_null(strstr(err.text, path));
-    assert_int_equal(entries(folder), 0);
+    assert_int_equal(count_entries(&own), 0);
 
     /* A folder stands where the close-up should go: the pictures before it are taken back. */
     hs_view_pictures pictures = {0};
@@ -199,10 +186,10 @@ static void what_cannot_be_written_leaves_nothing_behind(void **state) {
     err = (hs_error){0};
     assert_false(hs_view_pictures_write(&pictures, folder, "title", &err));
     assert_int_equal(err.code, HS_EXIT_FILE);
-    assert_int_equal(entries(folder), 1);
+    assert_int_equal(count_entries(&own), 1);
     rmdir(path);
     assert_true(hs_view_pictures_write(&pictures, folder, "title", &err));
-    assert_int_equal(entries(folder), HS_VIEW_COUNT + 1);
+    assert_int_equal(count_entries(&own), HS_VIEW_COUNT + 1);
     for (int i = 0; i <= HS_VIEW_COUNT; i++) {
         const char *file =
             i < HS_VIEW_COUNT ? hs_view_picture_file((enum hs_view_picture)i) : "sheet";
@@ -212,7 +199,6 @@ static void what_cannot_be_written_leaves_nothing_behind(void **state) {
     hs_view_pictures_free(&pictures);
     hs_picture_free(&a);
     assert_int_equal(rmdir(folder), 0);
-    free(folder);
 }
 
 static void a_sheet_holds_its_pictures_unchanged(void **state) {
