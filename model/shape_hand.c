@@ -72,10 +72,12 @@ static hs_vec loop_position(const frame *f, const station *s, int k) {
 
 /* Lays a nail upon two faces: sunk along the edge, domed within. */
 static void add_nail(hs_cage *cage, const uint32_t *faces, hs_vec dorsal) {
+    hs_vec middle = hs_cage_middle(cage, 2, faces);
     hs_cage_extrude(cage, 2, faces, NULL);
-    hs_cage_move(cage, 2, faces, hs_vec_of(0.8, 0.8, 0.8), hs_vec_scale(dorsal, -0.05));
+    hs_cage_move(cage, 2, faces, middle, hs_vec_of(0.8, 0.8, 0.8), hs_vec_scale(dorsal, -0.05));
+    middle = hs_cage_middle(cage, 2, faces);
     hs_cage_extrude(cage, 2, faces, NULL);
-    hs_cage_move(cage, 2, faces, hs_vec_of(0.92, 0.92, 0.92), hs_vec_scale(dorsal, 0.09));
+    hs_cage_move(cage, 2, faces, middle, hs_vec_of(0.92, 0.92, 0.92), hs_vec_scale(dorsal, 0.09));
 }
 
 /* Builds a digit upon a rim. The nail lies between the stations nail and nail + 1. */

@@ -174,20 +174,42 @@ hs_vec hs_cage_centre(const hs_cage *cage, uint32_t face) {
     return hs_vec_scale(sum, 1.0 / f->sides);
 }
 
-/* Whether some face of the region has the edge a -> b. */
-static bool region_has(const hs_cage *cage, uint32_t faces, const uint32_t *face, uint32_t a,
-                       uint32_t b) {
-    for (uint32_t i = 0; i < faces; i++) {
-        const hs_cage_face *f = &cage->face[face[i]];
-        for (uint32_t c = 0; c < f->sides; c++)
-            if (f->corner[c] == a && f->corner[(c + 1) % f->sides] == b) return true;
-    }
+static bool has_edge(const hs_cage_face *f, uint32_t a, uint32_t b) {
+    for (uint32_t c = 0; c < f->sides; c++)
+        if (f->corner[c] == a && f->corner[(c + 1) % f->sides] == b) return true;
     return false;
 }
 
+/* Whether the edge a -> b belongs to a face of the region, or to one of the first faces. */
+static bool region_has(const hs_cage *cage, uint32_t faces, const uint32_t *face, uint32_t a,
+                       uint32_t b) {
+    for (uint32_t i = 0; i < faces; i++)
+        if (has_edge(&cage->face[face[i]], a, b)) return true;
+    return false;
+}
+
+static bool cage_has(const hs_cage *cage, uint32_t faces, uint32_t a, uint32_t b) {
+    for (uint32_t i = 0; i < faces; i++)
+        if (has_edge(&cage->face[i], a, b)) return true;
+    return false;
+}
+
+uint32_t hs_cage_collect(const hs_cage *cage, uint32_t faces, const uint32_t *face, uint32_t limit,
+                         uint32_t *points) {
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < faces; i++)
+        for (uint32_t c = 0; c < cage->face[face[i]].sides; c++) {
+            uint32_t p = cage->face[face[i]].corner[c], at = 0;
+            while (at < count && points[at] != p)
+                at++;
+            if (at == count && count < limit) points[count++] = p;
+        }
+    return count;
+}
+
 void hs_cage_extrude(hs_cage *cage, uint32_t faces, const uint32_t *face, uint32_t *wall) {
-    uint32_t old_points = cage->points;
-    uint32_t *lifted = calloc(old_points + 1, sizeof *lifted); /* its double + 1, or 0 */
+    uint32_t old_faces = cage->faces;
+    uint32_t *lifted = calloc(cage->points + 1, sizeof *lifted); /* a point's double + 1, or 0 */
     if (!lifted) cage->failed = true;
     if (cage->failed) {
         free(lifted);
@@ -203,7 +225,7 @@ void hs_cage_extrude(hs_cage *cage, uint32_t faces, const uint32_t *face, uint32
         for (uint32_t c = 0; c < cage->face[face[i]].sides; c++) {
             const hs_cage_face *f = &cage->face[face[i]];
             uint32_t a = f->corner[c], b = f->corner[(c + 1) % f->sides];
-            if (!region_has(cage, faces, face, b, a))
+            if (!region_has(cage, faces, face, b, a) && cage_has(cage, old_faces, b, a))
                 hs_cage_quad(cage, a, b, lifted[b] - 1, lifted[a] - 1);
         }
     for (uint32_t i = 0; i < faces; i++)
@@ -214,32 +236,43 @@ void hs_cage_extrude(hs_cage *cage, uint32_t faces, const uint32_t *face, uint32
     free(lifted);
 }
 
-void hs_cage_move(hs_cage *cage, uint32_t faces, const uint32_t *face, hs_vec scale, hs_vec shift) {
-    bool *seen = calloc(cage->points + 1, sizeof *seen);
-    if (!seen) {
-        cage->failed = true;
-        return;
-    }
-    /* Two passes over the points, each met once: their mean, then the move. */
+enum { REGION_POINTS = 256 }; /* most points of a region that is moved */
+
+hs_vec hs_cage_middle(const hs_cage *cage, uint32_t faces, const uint32_t *face) {
+    uint32_t point[REGION_POINTS];
+    uint32_t count = hs_cage_collect(cage, faces, face, REGION_POINTS, point);
     hs_vec sum = {0, 0, 0};
-    double count = 0;
-    for (int pass = 0; pass < 2; pass++)
-        for (uint32_t i = 0; i < faces; i++)
-            for (uint32_t c = 0; c < cage->face[face[i]].sides; c++) {
-                uint32_t number = cage->face[face[i]].corner[c];
-                hs_vec *p = &cage->point[number];
-                if (seen[number] == (pass == 0)) continue;
-                seen[number] = pass == 0;
-                if (pass == 0) {
-                    sum = hs_vec_add(sum, *p);
-                    count++;
-                } else {
-                    hs_vec centre = hs_vec_scale(sum, 1 / count), d = hs_vec_sub(*p, centre);
-                    d = hs_vec_of(d.x * scale.x, d.y * scale.y, d.z * scale.z);
-                    *p = hs_vec_add(hs_vec_add(centre, shift), d);
-                }
-            }
-    free(seen);
+    for (uint32_t i = 0; i < count; i++)
+        sum = hs_vec_add(sum, cage->point[point[i]]);
+    return hs_vec_scale(sum, 1.0 / count);
+}
+
+void hs_cage_move(hs_cage *cage, uint32_t faces, const uint32_t *face, hs_vec centre, hs_vec scale,
+                  hs_vec shift) {
+    uint32_t point[REGION_POINTS];
+    uint32_t count = hs_cage_collect(cage, faces, face, REGION_POINTS, point);
+    for (uint32_t i = 0; i < count; i++) {
+        hs_vec *p = &cage->point[point[i]], d = hs_vec_sub(*p, centre);
+        d = hs_vec_of(d.x * scale.x, d.y * scale.y, d.z * scale.z);
+        *p = hs_vec_add(hs_vec_add(centre, shift), d);
+    }
+}
+
+void hs_cage_mirror(hs_cage *cage) {
+    uint32_t points = cage->points, faces = cage->faces;
+    uint32_t *image = calloc(points + 1, sizeof *image);
+    if (!image) cage->failed = true;
+    for (uint32_t v = 0; v < points && !cage->failed; v++) {
+        hs_vec p = cage->point[v];
+        image[v] = p.x != 0 ? hs_cage_point(cage, hs_vec_of(-p.x, p.y, p.z)) : v;
+    }
+    for (uint32_t f = 0; f < faces && !cage->failed; f++) {
+        hs_cage_face from = cage->face[f], to = {0};
+        for (uint32_t c = from.sides; c-- > 0;)
+            to.corner[to.sides++] = image[from.corner[c]];
+        hs_cage_face_of(cage, to.sides, to.corner);
+    }
+    free(image);
 }
 
 bool hs_cage_merge(hs_cage *cage, uint32_t a, uint32_t b) {

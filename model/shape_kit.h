@@ -110,13 +110,25 @@ hs_vec hs_ball_from_cube(hs_vec p);
 hs_vec hs_cage_centre(const hs_cage *cage, uint32_t face);
 
 /* Lifts a region of faces off the surface: its points are doubled, and quads join the region to
- * its old rim. The new points lie upon the old ones; move them. If wall is not NULL it receives
- * the number of the first of the quads; the rest follow it. */
+ * the faces around it (where there are none, as on the edge of a half body, none are made). The
+ * new points lie upon the old ones; move them. If wall is not NULL it receives the number of the
+ * first of the quads; the rest follow it. */
 void hs_cage_extrude(hs_cage *cage, uint32_t faces, const uint32_t *face, uint32_t *wall);
 
-/* Moves every point of a region: first scaled about the region's centre (the mean of its points),
- * per axis, then shifted. */
-void hs_cage_move(hs_cage *cage, uint32_t faces, const uint32_t *face, hs_vec scale, hs_vec shift);
+/* The mean of a region's points. */
+hs_vec hs_cage_middle(const hs_cage *cage, uint32_t faces, const uint32_t *face);
+
+/* Moves every point of a region: first scaled about centre, per axis, then shifted. */
+void hs_cage_move(hs_cage *cage, uint32_t faces, const uint32_t *face, hs_vec centre, hs_vec scale,
+                  hs_vec shift);
+
+/* The points of a region, each once, in an order that extruding does not change. Returns how many
+ * there are; no more than limit are written. */
+uint32_t hs_cage_collect(const hs_cage *cage, uint32_t faces, const uint32_t *face, uint32_t limit,
+                         uint32_t *points);
+
+/* Adds the mirror image of everything at the plane x = 0; points with x = 0 are shared. */
+void hs_cage_mirror(hs_cage *cage);
 
 /* Makes one face of two that share exactly one edge and no other point. Keeps number a, deletes b.
  * False, with nothing changed, if they don't, or the face would have too many sides. */

@@ -286,6 +286,28 @@ static void the_hand_is_mostly_quads_with_some_triangles_and_pentagons(void **st
     assert_true(c.sides[5] + c.sides[6] >= 4);
 }
 
+/* The mirror image of v, or HS_BORDER. */
+static uint32_t find_mirrored(const hs_mesh *m, uint32_t v) {
+    const float *p = m->position + 4 * v;
+    for (uint32_t w = 0; w < m->vertices; w++) {
+        const float *q = m->position + 4 * w;
+        if (q[0] == -p[0] && q[1] == p[1] && q[2] == p[2]) return w;
+    }
+    return HS_BORDER;
+}
+
+static void the_monster_is_mostly_quads_and_symmetric_to_the_bit(void **state) {
+    (void)state;
+    census c = assert_closed_body("monster", 0, 0, 2);
+    uint32_t faces = faces_of(&c);
+    assert_in_range(faces, 400, 1200);
+    assert_true(c.sides[4] > faces * 3 / 4);
+    hs_mesh m = make("monster", 0, 0);
+    for (uint32_t v = 0; v < m.vertices; v++)
+        assert_int_not_equal(find_mirrored(&m, v), HS_BORDER);
+    hs_mesh_free(&m);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_shape_but_the_grid_is_a_closed_body_with_its_faces_outward),
@@ -299,6 +321,7 @@ int main(void) {
             mixed_has_every_valence_from_3_to_12_and_every_number_of_sides_from_3_to_9),
         cmocka_unit_test(fifty_seeds_of_random_are_closed_bodies_of_about_the_size_asked_for),
         cmocka_unit_test(the_hand_is_mostly_quads_with_some_triangles_and_pentagons),
+        cmocka_unit_test(the_monster_is_mostly_quads_and_symmetric_to_the_bit),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
