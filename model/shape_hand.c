@@ -154,14 +154,14 @@ static void grow_finger(hs_cage *cage, const finger *f, const uint32_t rim[RIM])
 }
 
 static void grow_thumb(hs_cage *cage, const uint32_t rim[RIM]) {
-    frame f = {.centre = hs_vec_of(1.95, -2.22, 0.16)};
+    frame f = {.centre = hs_vec_of(2.00, -2.25, 0.16)};
     f.direction = hs_vec_unit(hs_vec_of(0.97, 0.15, 0.22));
     hs_vec palmar = hs_vec_of(-0.25, 0.25, 0.95);
     palmar = hs_vec_along(palmar, f.direction, -hs_vec_dot(palmar, f.direction));
     f.palmar = hs_vec_unit(palmar);
     f.across = hs_vec_cross(f.direction, f.palmar);
     const station s[] = {
-        {0.42, 0, 10, 0.84, 0.58, 0.66}, {0.40, 5, 17, 0.72, 0.60, 0.62},
+        {0.46, 0, 8, 0.80, 0.58, 0.62},  {0.40, 5, 17, 0.72, 0.60, 0.62},
         {0.42, 5, 14, 0.62, 0.58, 0.58}, {0.28, 3, 4, 0.59, 0.52, 0.60},
         {0.28, 3, 2, 0.54, 0.52, 0.52},  {0.38, 0, 2, 0.52, 0.54, 0.48},
         {0.35, 0, 0, 0.53, 0.50, 0.49},  {0.25, 5, -2, 0.55, 0.44, 0.52},

@@ -150,16 +150,17 @@ static void make_eye(hs_cage *cage) {
     uint32_t face[4];
     select_region(FRONT, 6, 7, 8, 9, face);
     hs_vec middle = hs_cage_middle(cage, 4, face);
-    extrude(cage, 4, face, middle, hs_vec_of(0.88, 0.84, 0.9), hs_vec_of(0, 0, 0.02), NULL);
-    extrude(cage, 4, face, middle, hs_vec_of(0.90, 0.88, 0.8), hs_vec_of(0, 0, -0.16), NULL);
+    extrude(cage, 4, face, middle, hs_vec_of(0.90, 0.86, 0.8), hs_vec_of(0, 0, 0.03), NULL);
+    extrude(cage, 4, face, middle, hs_vec_of(1.06, 1.10, 0.3), hs_vec_of(0, 0, -0.26), NULL);
     /* The eyeball: loops of a ball, and a pit for the pupil. */
+    middle = hs_vec_add(middle, hs_vec_of(0.02, 0.00, -0.03));
     enum { EYE_LOOPS = 5 };
-    static const double radius[EYE_LOOPS] = {0.25, 0.28, 0.20, 0.10, 0.075};
-    static const double depth[EYE_LOOPS] = {-0.24, -0.10, 0.08, 0.12, 0.05};
+    static const double radius[EYE_LOOPS] = {0.14, 0.205, 0.175, 0.10, 0.075};
+    static const double depth[EYE_LOOPS] = {-0.17, -0.05, 0.09, 0.13, 0.06};
     loop l[EYE_LOOPS];
     for (int i = 0; i < EYE_LOOPS; i++)
-        l[i] = (loop){hs_vec_along(middle, hs_vec_of(0.1, -0.1, 1), depth[i] - 0.04), radius[i],
-                      radius[i], 0};
+        l[i] = (loop){hs_vec_along(middle, hs_vec_of(0.1, -0.1, 1), depth[i]), radius[i], radius[i],
+                      0};
     grow_limb(cage, face, hs_vec_of(1, 0.3, 0), EYE_LOOPS, l);
 }
 
@@ -167,7 +168,7 @@ static void make_nostril(hs_cage *cage) {
     uint32_t face[1] = {hs_box_face(grid, FRONT, 6, 5)};
     hs_vec middle = hs_cage_centre(cage, face[0]);
     extrude(cage, 1, face, middle, hs_vec_of(0.70, 0.70, 0.7), hs_vec_of(-0.02, 0, 0.03), NULL);
-    extrude(cage, 1, face, middle, hs_vec_of(0.80, 0.80, 0.8), hs_vec_of(-0.02, 0.10, -0.24), NULL);
+    extrude(cage, 1, face, middle, hs_vec_of(0.80, 0.80, 0.8), hs_vec_of(0.00, 0.08, -0.17), NULL);
 }
 
 /* The mouth: lips, and a cavity behind them. *wall receives the first quad behind the lips. */

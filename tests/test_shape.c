@@ -143,6 +143,45 @@ static census assert_closed_body(const char *name, uint32_t size, uint32_t seed,
     return c;
 }
 
+/* Six times the signed volume of the tetrahedron of four vertices. */
+static double tetrahedron(const hs_mesh *m, uint32_t v0, const uint32_t v[3]) {
+    double d[3][3], n[3];
+    for (uint32_t i = 0; i < 3; i++)
+        for (uint32_t k = 0; k < 3; k++)
+            d[i][k] = (double)m->position[4 * v[i] + k] - (double)m->position[4 * v0 + k];
+    cross(d[0], d[1], n);
+    return n[0] * d[2][0] + n[1] * d[2][1] + n[2] * d[2][2];
+}
+
+/* Whether the edge p q passes through the triangle t. */
+static bool edge_pierces(const hs_mesh *m, uint32_t p, uint32_t q, const uint32_t t[3]) {
+    if ((tetrahedron(m, p, t) > 0) == (tetrahedron(m, q, t) > 0)) return false;
+    bool side[3];
+    for (int i = 0; i < 3; i++)
+        side[i] = tetrahedron(m, p, (uint32_t[3]){q, t[i], t[(i + 1) % 3]}) > 0;
+    return side[0] == side[1] && side[1] == side[2];
+}
+
+/* Pairs of an edge and a face without a common vertex that it passes through; faces are taken as
+ * fans of triangles. */
+static uint32_t count_piercings(const hs_mesh *m) {
+    uint32_t count = 0;
+    for (uint32_t h = 0; h < m->halfedges; h++) {
+        if (m->twin[h] < h) continue;
+        uint32_t p = m->origin[h], q = m->origin[hs_next(m, h)];
+        for (uint32_t f = 0; f < m->faces; f++) {
+            const uint32_t *corner = m->origin + m->first[f];
+            uint32_t sides = hs_sides(m, f);
+            bool apart = true;
+            for (uint32_t i = 0; i < sides; i++)
+                apart = apart && corner[i] != p && corner[i] != q;
+            for (uint32_t i = 1; apart && i + 1 < sides; i++)
+                count += edge_pierces(m, p, q, (uint32_t[3]){corner[0], corner[i], corner[i + 1]});
+        }
+    }
+    return count;
+}
+
 static uint32_t faces_of(const census *c) {
     uint32_t faces = 0;
     for (int n = 0; n < 16; n++)
@@ -308,6 +347,31 @@ static void the_monster_is_mostly_quads_and_symmetric_to_the_bit(void **state) {
     hs_mesh_free(&m);
 }
 
+static void hand_and_monster_do_not_pass_through_themselves(void **state) {
+    (void)state;
+    const char *name[2] = {"hand", "monster"};
+    for (int i = 0; i < 2; i++) {
+        hs_mesh m = make(name[i], 0, 0);
+        assert_int_equal(count_piercings(&m), 0);
+        hs_mesh_free(&m);
+    }
+}
+
+static void a_point_pushed_through_a_body_is_seen(void **state) {
+    (void)state;
+    hs_mesh m = make("cube", 3, 0);
+    assert_int_equal(count_piercings(&m), 0);
+    for (uint32_t v = 0; v < m.vertices; v++) /* a point inside the front goes out at the back */
+        if (m.position[4 * v + 2] == 1 && m.position[4 * v] < 0 && m.position[4 * v] > -1 &&
+            m.position[4 * v + 1] < 0 && m.position[4 * v + 1] > -1) {
+            m.position[4 * v + 2] = -2;
+            m.position[4 * v] -= 0.1f;
+            m.position[4 * v + 1] -= 0.2f;
+        }
+    assert_true(count_piercings(&m) > 0);
+    hs_mesh_free(&m);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_shape_but_the_grid_is_a_closed_body_with_its_faces_outward),
@@ -321,6 +385,8 @@ int main(void) {
             mixed_has_every_valence_from_3_to_12_and_every_number_of_sides_from_3_to_9),
         cmocka_unit_test(fifty_seeds_of_random_are_closed_bodies_of_about_the_size_asked_for),
         cmocka_unit_test(the_hand_is_mostly_quads_with_some_triangles_and_pentagons),
+        cmocka_unit_test(hand_and_monster_do_not_pass_through_themselves),
+        cmocka_unit_test(a_point_pushed_through_a_body_is_seen),
         cmocka_unit_test(the_monster_is_mostly_quads_and_symmetric_to_the_bit),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
