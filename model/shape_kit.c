@@ -197,6 +197,7 @@ static bool cage_has(const hs_cage *cage, uint32_t faces, uint32_t a, uint32_t b
 uint32_t hs_cage_collect(const hs_cage *cage, uint32_t faces, const uint32_t *face, uint32_t limit,
                          uint32_t *points) {
     uint32_t count = 0;
+    if (cage->failed) return 0; /* the region's faces may be missing */
     for (uint32_t i = 0; i < faces; i++)
         for (uint32_t c = 0; c < cage->face[face[i]].sides; c++) {
             uint32_t p = cage->face[face[i]].corner[c], at = 0;

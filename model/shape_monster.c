@@ -114,7 +114,7 @@ typedef struct loop {
 /* Grows a limb upon 2 x 2 faces through loops; side is roughly across all of them. */
 static void grow_limb(hs_cage *cage, const uint32_t face[4], hs_vec side, uint32_t loops,
                       const loop *l) {
-    uint32_t point[9];
+    uint32_t point[9] = {0};
     double u[9], v[9];
     hs_vec axis = {0, 0, 0}, root = hs_cage_middle(cage, 4, face);
     for (uint32_t i = 0; i < loops; i++) {
@@ -151,7 +151,7 @@ static void make_eye(hs_cage *cage) {
     select_region(FRONT, 6, 7, 8, 9, face);
     hs_vec middle = hs_cage_middle(cage, 4, face);
     extrude(cage, 4, face, middle, hs_vec_of(0.90, 0.86, 0.8), hs_vec_of(0, 0, 0.03), NULL);
-    extrude(cage, 4, face, middle, hs_vec_of(1.06, 1.10, 0.3), hs_vec_of(0, 0, -0.26), NULL);
+    extrude(cage, 4, face, middle, hs_vec_of(0.98, 1.08, 0.3), hs_vec_of(-0.02, 0, -0.26), NULL);
     /* The eyeball: loops of a ball, and a pit for the pupil. */
     middle = hs_vec_add(middle, hs_vec_of(0.02, 0.00, -0.03));
     enum { EYE_LOOPS = 5 };
@@ -253,7 +253,7 @@ static void make_neck(hs_cage *cage) {
     static const loop l[LOOPS] = {{{0, -1.95, -0.40}, 0.85, 0.80, 0},
                                   {{0, -2.40, -0.48}, 0.82, 0.80, 0},
                                   {{0, -2.85, -0.52}, 1.05, 0.98, 0}};
-    uint32_t face[COLUMNS * COLUMNS], point[POINTS];
+    uint32_t face[COLUMNS * COLUMNS], point[POINTS] = {0};
     uint32_t n = select_region(BOTTOM, 0, COLUMNS - 1, NX / 2, NX / 2 + COLUMNS - 1, face);
     hs_cage_collect(cage, n, face, POINTS, point);
     double x_most = 0, z_most = -INFINITY, z_least = INFINITY, u[POINTS], v[POINTS];
@@ -291,6 +291,7 @@ void hs_shape_monster(hs_cage *cage, uint32_t size, uint32_t seed) {
     make_eye(cage);
     make_nostril(cage);
     make_mouth(cage, &wall);
+    if (cage->failed) return;
     make_teeth(cage, wall);
     make_horn(cage);
     make_ear(cage);
