@@ -92,10 +92,10 @@ static void limits_are_cut_to_the_capacities(void **unused) {
     for (size_t i = 0; i < sizeof values / sizeof *values; i++) {
         uint32_t v = values[i], vertices, quads;
         write_ok(rtl, HS_REG_LIMIT_VERTICES, v);
-        write_ok(rtl, HS_REG_LIMIT_QUADS, v / 2);
+        write_ok(rtl, HS_REG_LIMIT_QUADS, v);
         registers_rtl_limits(rtl, &vertices, &quads);
         assert_int_equal(vertices, v < REGISTERS_VERTICES ? v : REGISTERS_VERTICES);
-        assert_int_equal(quads, v / 2 < REGISTERS_QUADS ? v / 2 : REGISTERS_QUADS);
+        assert_int_equal(quads, v < REGISTERS_QUADS ? v : REGISTERS_QUADS);
         assert_int_equal(read_ok(rtl, HS_REG_LIMIT_VERTICES), vertices);
         assert_int_equal(read_ok(rtl, HS_REG_LIMIT_QUADS), quads);
     }
