@@ -7,6 +7,7 @@
 #define HS_ARITHMETIC_H
 
 #include <stdint.h>
+#include <string.h>
 
 /* RNE(x / 2^s), s from 1 to 62, |x| < 2^62. Adding half a unit less one, and one more where the
  * quotient would be odd, makes the floor of the shift round as RNE does, negative x included. */
@@ -22,9 +23,27 @@ static inline int64_t hs_rne_divide(int64_t x, int64_t d) {
     return q;
 }
 
+/* Four coordinates at once, x, y, z, w, and their sums: vectors, as GCC and clang have them. */
+typedef int32_t hs_int4 __attribute__((vector_size(16)));
+typedef int64_t hs_long4 __attribute__((vector_size(32)));
+
+static inline hs_int4 hs_load(const int32_t p[4]) {
+    hs_int4 v;
+    memcpy(&v, p, sizeof v);
+    return v;
+}
+
 /* Face point of one coordinate: RNE(sum / n), |sum| <= n 2^30. */
 static inline int32_t hs_face_mask(int64_t sum, uint32_t n) {
     return (int32_t)(n == 4 ? hs_rne_shift(sum, 2) : hs_rne_divide(sum, n));
+}
+
+/* Face point of a quad, RNE((a + b + c + d) / 4), in 32 bits: with p = 4 (p >> 2) + (p & 3) the sum
+ * is 4 q + r, r from 0 to 12, and |q| <= 2^30 + 4. Then as hs_rne_shift. */
+static inline hs_int4 hs_quad_mask(hs_int4 a, hs_int4 b, hs_int4 c, hs_int4 d) {
+    const hs_int4 q = (a >> 2) + (b >> 2) + (c >> 2) + (d >> 2);
+    const hs_int4 r = (a & 3) + (b & 3) + (c & 3) + (d & 3);
+    return q + ((r + 1 + ((q + (r >> 2)) & 1)) >> 2);
 }
 
 /* Vertex point of one coordinate: RNE((t + n(n-2) s) / n^2), where t sums w + F over the n
@@ -35,14 +54,21 @@ static inline int32_t hs_vertex_mask(int64_t t, int32_t s, uint32_t n) {
     return (int32_t)hs_rne_divide(t + m * (m - 2) * s, m * m);
 }
 
-/* The sign of det[(x,y,w) of a, b, c], exactly: above zero where the corner a, b, c is seen
+/* det[(x,y,w) of a, b, c] = a . (b x c), exactly: above zero where the corner a, b, c is seen
  * counter-clockwise. Positions are x, y, z, w with |component| <= 2^30, so a component of b x c
- * needs 62 bits and the determinant 94. */
-static inline int hs_corner_front(const int32_t a[4], const int32_t b[4], const int32_t c[4]) {
-    int64_t x = (int64_t)b[1] * c[3] - (int64_t)b[3] * c[1];
-    int64_t y = (int64_t)b[3] * c[0] - (int64_t)b[0] * c[3];
-    int64_t w = (int64_t)b[0] * c[1] - (int64_t)b[1] * c[0];
-    return (__int128)a[0] * x + (__int128)a[1] * y + (__int128)a[3] * w > 0;
+ * needs 63 bits and the determinant 94. */
+typedef struct hs_cross {
+    int64_t x, y, w;
+} hs_cross;
+
+static inline hs_cross hs_cross_of(const int32_t b[4], const int32_t c[4]) {
+    return (hs_cross){(int64_t)b[1] * c[3] - (int64_t)b[3] * c[1],
+                      (int64_t)b[3] * c[0] - (int64_t)b[0] * c[3],
+                      (int64_t)b[0] * c[1] - (int64_t)b[1] * c[0]};
+}
+
+static inline int hs_corner_front(const int32_t a[4], hs_cross c) {
+    return (__int128)a[0] * c.x + (__int128)a[1] * c.y + (__int128)a[3] * c.w > 0;
 }
 
 #endif

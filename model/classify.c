@@ -8,6 +8,12 @@
  * (w, F, v, G) came from the edge v-w between the face points F and G, so the edge point
  * (v + w + F + G)/4 is the average of the quad's own corners, where they stood before that odd
  * step moved them. Nothing needs to be kept with the quad.
+ *
+ * The valence of a vertex was counted when the mesh came in, or is the number of sides of the face
+ * that it was made for. Every step keeps it, as long as all faces around the vertex are refined;
+ * when one is not, the vertex never moves again, and needs no valence.
+ *
+ * Generation 0 has faces of any number of sides, the others quads, which have code of their own.
  */
 #include <string.h>
 
@@ -22,65 +28,114 @@ static uint32_t outside(const int32_t p[4]) {
     return bits;
 }
 
-static uint8_t marks_of(const hs_state *s, uint32_t h0, uint32_t n) {
-    const hs_vertex *vertex = s->vertex;
+static uint8_t facing(const int32_t p[4], hs_cross cross) {
+    return hs_corner_front(p, cross) ? MARK_FRONT : MARK_BACK;
+}
+
+static inline void add_mark(uint8_t *mark, uint32_t v, uint32_t w, uint8_t of_face, bool border) {
+    mark[v] |= of_face | MARK_ACTIVE;
+    if (border) {
+        mark[v] |= MARK_BORDER;
+        mark[w] |= MARK_BORDER;
+    }
+}
+
+/* Adds w + F to a sum. Both are below 2^30: their own sum does not overflow. */
+static inline void add_to_sum(int64_t t[4], hs_int4 w, hs_int4 point) {
+    hs_long4 sum;
+    memcpy(&sum, t, sizeof sum);
+    sum += __builtin_convertvector(w + point, hs_long4);
+    memcpy(t, &sum, sizeof sum);
+}
+
+/* --- Any number of sides: generation 0, whose step is odd ------------------------------------- */
+
+static uint8_t marks_of_face(const hs_state *s, const uint32_t *corner, uint32_t n) {
     uint32_t all_outside = 0x3f;
     uint8_t mark = 0;
-    const int32_t *a = vertex[s->origin[h0 + n - 2]].position;
-    const int32_t *b = vertex[s->origin[h0 + n - 1]].position;
-    for (uint32_t i = 0; i < n; i++) {
-        const int32_t *c = vertex[s->origin[h0 + i]].position;
-        all_outside &= outside(c);
-        mark |= hs_corner_front(a, b, c) ? MARK_FRONT : MARK_BACK;
-        a = b;
-        b = c;
+    for (uint32_t i = 0, a = n - 2, b = n - 1; i < n; a = b, b = i++) {
+        const int32_t *p = s->position[corner[i]];
+        all_outside &= outside(p);
+        mark |= facing(p, hs_cross_of(s->position[corner[a]], s->position[corner[b]]));
     }
     if (!all_outside) mark |= MARK_HITS;
     return mark;
 }
 
-/* The position of the vertex that the face gets if it is refined. */
-static void new_vertex(const hs_state *s, uint32_t h0, uint32_t n, int32_t point[4]) {
+static void face_point(const hs_state *s, const uint32_t *corner, uint32_t n, int32_t point[4]) {
     int64_t sum[4] = {0};
-    for (uint32_t i = 0; i < n; i++) {
-        const hs_vertex *v = &s->vertex[s->origin[h0 + i]];
-        const int32_t *p = hs_odd_step(s) ? v->position : v->old;
+    for (uint32_t i = 0; i < n; i++)
         for (int k = 0; k < 4; k++)
-            sum[k] += p[k];
-    }
+            sum[k] += s->position[corner[i]][k];
     for (int k = 0; k < 4; k++)
         point[k] = hs_face_mask(sum[k], n);
 }
 
-static void add_to_sums(hs_state *s, uint32_t h0, uint32_t n, const int32_t point[4]) {
+static void classify_face(hs_state *s, uint32_t f) {
+    const uint32_t h0 = s->first[f], n = s->first[f + 1] - h0;
+    const uint32_t *corner = s->origin + h0;
+    const uint8_t mark = s->settings.uniform ? 0 : marks_of_face(s, corner, n);
+    face_point(s, corner, n, s->point[f]);
     for (uint32_t i = 0; i < n; i++) {
-        hs_sum *sum = &s->sum[s->origin[h0 + i]];
-        const int32_t *w = s->vertex[s->origin[h0 + (i + 1 < n ? i + 1 : 0)]].position;
-        for (int k = 0; k < 4; k++)
-            sum->t[k] += (int64_t)w[k] + point[k];
-        sum->valence++;
+        const uint32_t v = corner[i], w = corner[i + 1 < n ? i + 1 : 0];
+        add_to_sum(s->sum[v], hs_load(s->position[w]), hs_load(s->point[f]));
+        add_mark(s->mark, v, w, mark, s->twin[h0 + i] == HS_BORDER);
     }
+    s->face_mark[f] = mark;
 }
 
-static void add_to_marks(hs_state *s, uint32_t h0, uint32_t n, uint8_t mark) {
-    for (uint32_t i = 0; i < n; i++) {
-        uint32_t v = s->origin[h0 + i], w = s->origin[h0 + (i + 1 < n ? i + 1 : 0)];
-        s->mark[v] |= mark | MARK_ACTIVE;
-        if (s->twin[h0 + i] == HS_BORDER) {
-            s->mark[v] |= MARK_BORDER;
-            s->mark[w] |= MARK_BORDER;
+/* --- Quads: the generations behind it --------------------------------------------------------- */
+
+/* The determinants of the four corners share two cross products. */
+static uint8_t marks_of_quad(const int32_t *a, const int32_t *b, const int32_t *c,
+                             const int32_t *d) {
+    const hs_cross bc = hs_cross_of(b, c), da = hs_cross_of(d, a);
+    uint8_t mark = facing(a, bc) | facing(d, bc) | facing(c, da) | facing(b, da);
+    if (!(outside(a) & outside(b) & outside(c) & outside(d))) mark |= MARK_HITS;
+    return mark;
+}
+
+/* Inlined for each kind of step and run. The arrays have local names because a store to an array of
+ * bytes might, for all the compiler knows, change *s. */
+static inline __attribute__((always_inline)) void classify_quads(hs_state *s, bool odd,
+                                                                 bool uniform) {
+    int32_t(*const position)[4] = s->position, (*const from)[4] = odd ? s->position : s->old;
+    int64_t(*sum)[4] = s->sum;
+    int32_t(*point)[4] = s->point;
+    uint8_t *mark = s->mark, *face_mark = s->face_mark;
+    const uint32_t *corner = s->origin, *twin = s->twin, *end = corner + s->halfedges;
+
+    for (; corner < end; corner += 4, twin += 4) {
+        hs_int4 p[4];
+        for (int i = 0; i < 4; i++)
+            p[i] = hs_load(from[corner[i]]);
+        const hs_int4 new_point = hs_quad_mask(p[0], p[1], p[2], p[3]);
+        memcpy(*point++, &new_point, sizeof new_point);
+        const uint8_t m = uniform ? 0
+                                  : marks_of_quad(position[corner[0]], position[corner[1]],
+                                                  position[corner[2]], position[corner[3]]);
+        *face_mark++ = m;
+        for (uint32_t i = 0; i < 4; i++) {
+            const uint32_t next = (i + 1) % 4;
+            if (odd) add_to_sum(sum[corner[i]], p[next], new_point);
+            add_mark(mark, corner[i], corner[next], m, twin[i] == HS_BORDER);
         }
     }
 }
 
 void hs_stage_classify(hs_state *s) {
+    const bool odd = hs_odd_step(s), uniform = s->settings.uniform;
     memset(s->mark, 0, s->vertices);
-    if (hs_odd_step(s)) memset(s->sum, 0, s->vertices * sizeof *s->sum);
-    for (uint32_t f = 0; f < s->faces; f++) {
-        uint32_t h0 = hs_face_first(s, f), n = hs_face_sides(s, f);
-        s->face_mark[f] = s->settings.uniform ? 0 : marks_of(s, h0, n);
-        new_vertex(s, h0, n, s->point[f]);
-        if (hs_odd_step(s)) add_to_sums(s, h0, n, s->point[f]);
-        add_to_marks(s, h0, n, s->face_mark[f]);
-    }
+    if (odd) memset(s->sum, 0, s->vertices * sizeof *s->sum);
+    if (s->generation == 0)
+        for (uint32_t f = 0; f < s->faces; f++)
+            classify_face(s, f);
+    else if (odd && uniform)
+        classify_quads(s, true, true);
+    else if (odd)
+        classify_quads(s, true, false);
+    else if (uniform)
+        classify_quads(s, false, true);
+    else
+        classify_quads(s, false, false);
 }

@@ -9,24 +9,32 @@
 #include "golden_state.h"
 
 static void append(hs_state *s, const uint32_t record[4]) {
+    hs_packet *out = s->out;
     hs_error err;
-    if (!hs_packet_append(s->out, record, 1, &err)) s->exhausted = true;
+    if (out->words + 4 <= out->capacity) { /* without a call */
+        memcpy(out->word + out->words, record, 16);
+        out->words += 4;
+    } else if (!hs_packet_append(out, record, 1, &err)) {
+        s->exhausted = true;
+    }
 }
 
-/* Up to four vertex numbers, 24 bits each, in the last three words of a record. */
+/* Adds vertex number k, 0 to 3, to the last three words of a record: 24 bits each. */
+static void pack_number(uint32_t record[4], uint32_t k, uint32_t number) {
+    record[1 + 3 * k / 4] |= number << 24 * k % 32;
+    if (k == 1 || k == 2) record[2 + k / 2] |= number >> (k == 1 ? 8 : 16);
+}
+
 static void pack_numbers(uint32_t record[4], const uint32_t *number, uint32_t count) {
-    uint32_t n[4] = {0};
-    for (uint32_t i = 0; i < count; i++)
-        n[i] = number[i];
-    record[1] = n[0] | n[1] << 24;
-    record[2] = n[1] >> 8 | n[2] << 16;
-    record[3] = n[2] >> 16 | n[3] << 8;
+    record[1] = record[2] = record[3] = 0;
+    for (uint32_t k = 0; k < count; k++)
+        pack_number(record, k, number[k]);
 }
 
-/* 32 bits fit a double, the scaling is exact or, for a subnormal result, deferred to the one
- * rounding of the conversion. */
-static uint32_t float_bits(int32_t q, int32_t exponent) {
-    float c = (float)ldexp((double)q, exponent - 30);
+/* 32 bits fit a double, and 2^(E-30) is a normal one: the product is exact, or its one rounding is
+ * that of the conversion. */
+static uint32_t float_bits(int32_t q, double unit) {
+    const float c = (float)((double)q * unit);
     uint32_t bits;
     memcpy(&bits, &c, sizeof bits);
     return bits;
@@ -36,34 +44,26 @@ void hs_emit_header(hs_state *s) {
     const uint32_t record[4] = {hs_tag(HS_RECORD_HEADER, HS_STREAM_VERSION), s->out->view,
                                 (uint32_t)s->exponent, 0};
     append(s, record);
+    s->unit = ldexp(1, s->exponent - 30);
 }
 
 /* Adds the vertex to the open group, or opens one: consecutive vertices of one generation go out
  * four at a time behind the record of their numbers. */
 void hs_emit_vertex(hs_state *s, uint32_t vertex) {
-    if (s->group) {
+    if (s->group && s->group_count < 4 && (s->out->word[s->group] & 0xff) == s->generation) {
         uint32_t *open = s->out->word + s->group;
-        uint32_t count = open[0] >> 16 & 0xf, number[4];
-        if (count == 4 || (open[0] & 0xff) != s->generation) {
-            s->group = 0;
-        } else {
-            number[0] = open[1] & 0xffffff;
-            number[1] = open[1] >> 24 | (open[2] & 0xffff) << 8;
-            number[2] = open[2] >> 16 | (open[3] & 0xff) << 16;
-            number[count] = vertex;
-            pack_numbers(open, number, count + 1);
-            open[0] += 1 << 16;
-        }
-    }
-    if (!s->group) {
-        uint32_t record[4] = {hs_tag(HS_RECORD_VERTICES, 1 << 16 | s->generation)};
-        pack_numbers(record, &vertex, 1);
+        pack_number(open, s->group_count++, vertex);
+        open[0] += 1 << 16;
+    } else {
+        const uint32_t record[4] = {hs_tag(HS_RECORD_VERTICES, 1 << 16 | s->generation), vertex};
         s->group = s->out->words;
+        s->group_count = 1;
         append(s, record);
     }
+    const int32_t *position = s->position[vertex];
     uint32_t record[4];
     for (int k = 0; k < 4; k++)
-        record[k] = float_bits(s->vertex[vertex].position[k], s->exponent);
+        record[k] = float_bits(position[k], s->unit);
     append(s, record);
     s->vertices_sent++;
 }

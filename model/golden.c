@@ -13,6 +13,7 @@ enum { GENERATIONS = HS_MAX_DEPTH + 1 };
 
 struct hs_golden {
     hs_state state;
+    hs_observer observer;
     hs_generation generation[GENERATIONS];
     uint8_t *decision[GENERATIONS];
     size_t decision_room[GENERATIONS];
@@ -29,16 +30,20 @@ hs_golden *hs_golden_new(hs_limits limits) {
 void hs_golden_free(hs_golden *golden) {
     if (!golden) return;
     hs_state *s = &golden->state;
-    void *const arrays[] = {s->first,       s->face,      s->origin,         s->twin,
-                            s->candidate,   s->forced,    s->vertex,         s->clip,
-                            s->sum,         s->mark,      s->sent,           s->point,
-                            s->face_mark,   s->decision,  s->number,         s->child,
-                            s->next_origin, s->next_twin, s->next_candidate, s->next_forced};
+    void *const arrays[] = {
+        s->first,       s->face,      s->origin,         s->twin,       s->candidate, s->forced,
+        s->position,    s->old,       s->clip,           s->sum,        s->mark,      s->sent,
+        s->point,       s->valence,   s->face_mark,      s->decision,   s->number,    s->child,
+        s->next_origin, s->next_twin, s->next_candidate, s->next_forced};
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++)
         free(arrays[i]);
     for (size_t g = 0; g < GENERATIONS; g++)
         free(golden->decision[g]);
     free(golden);
+}
+
+void hs_golden_observe(hs_golden *golden, const hs_observer *observer) {
+    golden->observer = observer ? *observer : (hs_observer){0};
 }
 
 /* Reallocates *(void **)array to count elements; the old array stays if there is no memory. */
@@ -59,8 +64,9 @@ bool hs_state_reserve(hs_state *s, size_t vertices, size_t faces, size_t halfedg
     bool good = true;
     if (vertices > s->vertex_room) {
         const size_t n = grown(s->vertex_room, vertices);
-        good = resize(&s->vertex, n, sizeof *s->vertex) && resize(&s->clip, n, sizeof *s->clip) &&
-               resize(&s->sum, n, sizeof *s->sum) && resize(&s->mark, n, sizeof *s->mark) &&
+        good = resize(&s->position, n, sizeof *s->position) && resize(&s->old, n, sizeof *s->old) &&
+               resize(&s->clip, n, sizeof *s->clip) && resize(&s->sum, n, sizeof *s->sum) &&
+               resize(&s->mark, n, sizeof *s->mark) && resize(&s->valence, n, sizeof *s->valence) &&
                resize(&s->sent, n, sizeof *s->sent);
         if (good) s->vertex_room = n;
     }
@@ -144,7 +150,9 @@ static bool count_last_generation(hs_golden *golden) {
 
 static bool refine(hs_golden *golden) {
     hs_state *s = &golden->state;
+    const hs_observer *o = &golden->observer;
     for (;;) {
+        if (o->entered) o->entered(o->context, s);
         s->count =
             (hs_generation){.active = s->faces, .corners = s->halfedges, .vertices = s->vertices};
         hs_stage_classify(s);
@@ -158,6 +166,7 @@ static bool refine(hs_golden *golden) {
             s->count.selected = s->selected;
             s->count.refined = s->refined;
         }
+        if (o->decided) o->decided(o->context, s);
         const size_t children = s->last ? 0 : (size_t)s->refined_sides / 2;
         if (!hs_state_reserve(s, (size_t)s->vertices + s->refined, children, 4 * children))
             return false;

@@ -30,17 +30,6 @@ enum {
 
 enum { FACE_SELECTED = 1, FACE_REFINED = 2 }; /* bits of a decision, as in hs_golden_report */
 
-/* A vertex, alive or not. Numbers are for ever: new ones are appended. */
-typedef struct hs_vertex {
-    int32_t position[4];
-    int32_t old[4]; /* where it was before the latest odd step moved it */
-} hs_vertex;
-
-typedef struct hs_sum {
-    int64_t t[4];     /* over its half-edges v -> w: w + F */
-    uint32_t valence; /* how many */
-} hs_sum;
-
 typedef struct hs_state {
     /* The view */
     hs_limits limits;
@@ -59,13 +48,16 @@ typedef struct hs_state {
     uint32_t *origin, *twin;     /* per half-edge; HS_BORDER: no active face beyond */
     uint8_t *candidate, *forced; /* per face */
 
-    /* Vertices: the first `vertices` of each array */
+    /* Vertices, alive or not: the first `vertices` of each array. Numbers are for ever: new ones
+     * are appended. */
     uint32_t vertices;
-    hs_vertex *vertex;
-    float (*clip)[4]; /* between transform and quantize */
-    hs_sum *sum;      /* of this generation's faces, if the step is odd */
-    uint8_t *mark;    /* of this generation's faces; MARK_ACTIVE wherever there is one */
-    uint8_t *sent;    /* 1: is in the output */
+    int32_t (*position)[4];
+    int32_t (*old)[4]; /* where it was before the latest odd step; where alive, in even steps */
+    float (*clip)[4];  /* between transform and quantize */
+    int64_t (*sum)[4]; /* T: over its half-edges v -> w: w + F; in odd steps */
+    uint8_t *valence;  /* how many those are; it never changes while all its faces are active */
+    uint8_t *mark;     /* of this generation's faces; MARK_ACTIVE wherever there is one */
+    uint8_t *sent;     /* 1: is in the output, and stays where it is */
 
     /* What the stages leave for each other, per face of this generation */
     int32_t (*point)[4]; /* face point (odd step) or inherited edge point (even step) */
@@ -78,14 +70,16 @@ typedef struct hs_state {
     bool finish;            /* nothing is refined any more: all active faces leave */
 
     /* The next generation in the making; golden.c swaps it in */
-    uint32_t *child; /* per half-edge: the quad of its edge, HS_BORDER where the edge is kept */
+    uint32_t *child; /* per half-edge: the first of its two, or HS_BORDER where its edge is kept */
     uint32_t *next_origin, *next_twin;
     uint8_t *next_candidate, *next_forced;
     uint32_t next_faces;
 
     /* Output */
     hs_packet *out;
-    size_t group; /* word of the vertex group that is still open, 0 if none is */
+    double unit;          /* 2^(E-30) */
+    size_t group;         /* word of the vertex group that is still open, 0 if none is */
+    uint32_t group_count; /* vertices in it */
     uint32_t vertices_sent, faces_sent, triangles_sent;
     hs_generation count; /* of this generation */
 
@@ -96,6 +90,20 @@ typedef struct hs_state {
 /* Makes room for this many elements, keeping what is there. False (and s->exhausted) if there is
  * no memory. golden.c. */
 bool hs_state_reserve(hs_state *s, size_t vertices, size_t faces, size_t halfedges);
+
+/* Looks at a view while golden refines it, without changing what comes out: for the tests of the
+ * invariants, and for measurements. Either function may be NULL; context is handed to both. */
+typedef struct hs_observer {
+    void *context;
+    /* The generation's active mesh is complete; no stage has begun to work on it. */
+    void (*entered)(void *context, const hs_state *s);
+    /* Marks, face points and decisions are known; no vertex has moved, nothing was sent. If
+     * s->finish, guard may not have run: no face is refined, whatever the decisions say. */
+    void (*decided)(void *context, const hs_state *s);
+} hs_observer;
+
+/* Has all later runs of the context observed; NULL: by nobody. Keeps a copy. */
+void hs_golden_observe(hs_golden *golden, const hs_observer *observer);
 
 /* The stages. receive and transform set status and error_position where the packet is at fault. */
 void hs_stage_receive(hs_state *s, const hs_packet *in);
@@ -122,7 +130,7 @@ static inline uint32_t hs_face_sides(const hs_state *s, uint32_t f) {
     return s->generation ? 4 : s->first[f + 1] - s->first[f];
 }
 
-/* The active face beyond a half-edge's twin, which must exist. */
+/* The face of a half-edge, such as a twin that exists. */
 static inline uint32_t hs_face_of(const hs_state *s, uint32_t h) {
     return s->generation ? h >> 2 : s->face[h];
 }

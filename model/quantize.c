@@ -4,7 +4,6 @@
  * view's vertices (0 if all are zero); a coordinate is q = RNE(c * 2^(30-E)).
  */
 #include <math.h>
-#include <string.h>
 
 #include "golden_state.h"
 
@@ -27,9 +26,7 @@ void hs_stage_quantize(hs_state *s) {
         for (int k = 0; k < 4; k++)
             magnitude = fmaxf(magnitude, fabsf(s->clip[v][k]));
     s->exponent = block_exponent(magnitude);
-    for (uint32_t v = 0; v < s->vertices; v++) {
+    for (uint32_t v = 0; v < s->vertices; v++)
         for (int k = 0; k < 4; k++)
-            s->vertex[v].position[k] = quantize(s->clip[v][k], s->exponent);
-        memcpy(s->vertex[v].old, s->vertex[v].position, sizeof s->vertex[v].old);
-    }
+            s->position[v][k] = quantize(s->clip[v][k], s->exponent);
 }

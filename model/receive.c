@@ -145,7 +145,7 @@ static void check_topology(hs_state *s) {
     const size_t at = POSITION_OF_VERTICES + 4 * (size_t)s->vertices;
     for (uint32_t f = 0; f < s->faces; f++) {
         for (uint32_t h = s->first[f]; h < s->first[f + 1]; h++) {
-            if (++s->sum[s->origin[h]].valence > HS_MAX_VALENCE)
+            if (s->valence[s->origin[h]]++ == HS_MAX_VALENCE)
                 return refuse(s, HS_STATUS_BAD_VALENCE, at + 4 * (size_t)h);
             uint32_t next = h + 1 < s->first[f + 1] ? h + 1 : s->first[f];
             uint32_t t = s->twin[h];
@@ -162,6 +162,6 @@ void hs_stage_receive(hs_state *s, const hs_packet *in) {
     if (!read_header(s, in) || !read_matrix(s, in)) return;
     if (!hs_state_reserve(s, s->vertices, s->faces, s->halfedges)) return;
     if (!read_vertices(s, in) || !read_corners(s, in) || !read_trailer(s, in)) return;
-    memset(s->sum, 0, s->vertices * sizeof *s->sum);
+    memset(s->valence, 0, s->vertices);
     check_topology(s);
 }

@@ -10,30 +10,34 @@
 #include "arithmetic.h"
 #include "golden_state.h"
 
+/* What was sent was held once, and stays: no face that has left may be pulled at a corner. */
 static bool may_move(const hs_state *s, uint32_t v) {
-    return (s->mark[v] & MARK_ACTIVE) && !(s->mark[v] & (MARK_HELD | MARK_BORDER));
+    return !(s->mark[v] & (MARK_HELD | MARK_BORDER)) && !s->sent[v];
 }
 
 static void move(hs_state *s, uint32_t v) {
-    hs_vertex *vertex = &s->vertex[v];
-    for (int k = 0; k < 4; k++)
-        vertex->position[k] =
-            hs_vertex_mask(s->sum[v].t[k], vertex->position[k], s->sum[v].valence);
+    const int32_t *from = s->old[v];
+    const int64_t *sum = s->sum[v];
+    const uint32_t n = s->valence[v];
+    int32_t to[4];
+    if (n == 4) /* nearly all: the case is decided once, not per coordinate */
+        for (int k = 0; k < 4; k++)
+            to[k] = hs_vertex_mask(sum[k], from[k], 4);
+    else
+        for (int k = 0; k < 4; k++)
+            to[k] = hs_vertex_mask(sum[k], from[k], n);
+    memcpy(s->position[v], to, sizeof to);
+}
+
+static void stay(hs_state *s, uint32_t v) {
+    memcpy(s->position[v], s->old[v], sizeof s->position[v]);
 }
 
 /* What an even step's edge points are made of is where vertices stood before the odd step. */
-static void remember(hs_state *s, uint32_t v) {
-    memcpy(s->vertex[v].old, s->vertex[v].position, sizeof s->vertex[v].old);
-}
-
-static void append_new_vertices(hs_state *s) {
-    for (uint32_t f = 0; f < s->faces; f++) {
-        if (!(s->decision[f] & FACE_REFINED)) continue;
-        uint32_t v = s->number[f];
-        memcpy(s->vertex[v].position, s->point[f], sizeof s->point[f]);
-        remember(s, v);
-        s->sent[v] = 0;
-    }
+static void remember_positions(hs_state *s) {
+    int32_t(*position)[4] = s->position;
+    s->position = s->old;
+    s->old = position;
 }
 
 static void send(hs_state *s, uint32_t v) {
@@ -42,20 +46,33 @@ static void send(hs_state *s, uint32_t v) {
     s->sent[v] = 1;
 }
 
+static void append_new_vertices(hs_state *s, bool odd) {
+    for (uint32_t f = 0; f < s->faces; f++) {
+        if (!(s->decision[f] & FACE_REFINED)) continue;
+        const uint32_t v = s->number[f];
+        memcpy(s->position[v], s->point[f], sizeof s->point[f]);
+        if (odd) memcpy(s->old[v], s->point[f], sizeof s->point[f]);
+        s->valence[v] = (uint8_t)hs_face_sides(s, f);
+    }
+    memset(s->sent + s->vertices, 0, s->refined);
+}
+
 void hs_stage_smooth(hs_state *s) {
-    const bool move_some = hs_odd_step(s) && !s->finish;
+    const bool odd = hs_odd_step(s) && !s->finish;
     const uint8_t leaving = s->last || s->finish ? MARK_ACTIVE : MARK_HELD | MARK_BORDER;
+    if (odd) remember_positions(s);
     for (uint32_t v = 0; v < s->vertices; v++) {
         if (!(s->mark[v] & MARK_ACTIVE)) continue;
-        if (hs_odd_step(s)) remember(s, v);
-        if (move_some && may_move(s, v)) {
+        if (odd && may_move(s, v)) {
             move(s, v);
             s->count.moved++;
+        } else if (odd) {
+            stay(s, v);
         }
         if (s->mark[v] & leaving) send(s, v);
     }
     if (s->finish) return;
-    append_new_vertices(s);
+    append_new_vertices(s, odd);
     if (s->last)
         for (uint32_t v = s->vertices; v < s->vertices + s->refined; v++)
             send(s, v);

@@ -12,56 +12,10 @@
  *
  * Quads are numbered by the lower of their two half-edges. An edge of one refined face only is
  * kept: it yields the triangle (v, w, F), which is final, as is a face that is not refined.
+ *
+ * child[h] is c0(h); c1(h) is behind it.
  */
 #include "golden_state.h"
-
-static bool refined(const hs_state *s, uint32_t f) {
-    return s->decision[f] & FACE_REFINED;
-}
-
-/* True if the step replaces h's edge by a quad. */
-static bool replaced(const hs_state *s, uint32_t h, uint32_t f) {
-    uint32_t t = s->twin[h];
-    return refined(s, f) && t != HS_BORDER && refined(s, hs_face_of(s, t));
-}
-
-/* The two corners of a half-edge's children begin at this half-edge of the next generation. */
-static uint32_t children(const hs_state *s, uint32_t h) {
-    return 4 * s->child[h] + (h < s->twin[h] ? 0 : 2);
-}
-
-static void number_children(hs_state *s) {
-    s->next_faces = 0;
-    for (uint32_t f = 0; f < s->faces; f++) {
-        uint32_t h0 = hs_face_first(s, f), n = hs_face_sides(s, f);
-        for (uint32_t h = h0; h < h0 + n; h++) {
-            if (!replaced(s, h, f))
-                s->child[h] = HS_BORDER;
-            else
-                s->child[h] = h < s->twin[h] ? s->next_faces++ : s->child[s->twin[h]];
-        }
-    }
-}
-
-/* The children c0(h): w -> F and c1(h): F -> v. */
-static void write_children(hs_state *s, uint32_t f, uint32_t h, uint32_t next, uint32_t prev) {
-    const uint32_t c0 = children(s, h), c1 = c0 + 1;
-    s->next_origin[c0] = s->origin[next];
-    s->next_origin[c1] = s->number[f];
-    s->next_twin[c0] = s->child[next] == HS_BORDER ? HS_BORDER : children(s, next) + 1;
-    s->next_twin[c1] = s->child[prev] == HS_BORDER ? HS_BORDER : children(s, prev);
-
-    /* The quad inherits from both its parents; the lower half-edge is always seen first. */
-    const uint32_t quad = c0 / 4;
-    const uint8_t candidate = (s->decision[f] & FACE_SELECTED) != 0;
-    if (c0 % 4 == 0) {
-        s->next_candidate[quad] = candidate;
-        s->next_forced[quad] = s->forced[f];
-    } else {
-        s->next_candidate[quad] &= candidate;
-        if (s->forced[f] < s->next_forced[quad]) s->next_forced[quad] = s->forced[f];
-    }
-}
 
 /* The quad of h's edge, when it is final at once. */
 static void send_quad(hs_state *s, uint32_t f, uint32_t h, uint32_t next) {
@@ -80,24 +34,79 @@ static void send_triangle(hs_state *s, uint32_t f, uint32_t h, uint32_t next) {
     s->count.final++;
 }
 
-void hs_stage_split(hs_state *s) {
-    if (!s->finish) number_children(s);
-    for (uint32_t f = 0; f < s->faces; f++) {
-        const uint32_t h0 = hs_face_first(s, f), n = hs_face_sides(s, f);
-        if (s->finish || !refined(s, f)) {
-            hs_emit_face(s, s->origin + h0, n, s->generation, s->candidate[f]);
-            s->count.final++;
+static void send_face(hs_state *s, uint32_t f) {
+    hs_emit_face(s, s->origin + hs_face_first(s, f), hs_face_sides(s, f), s->generation,
+                 s->candidate[f]);
+    s->count.final++;
+}
+
+/* Inlined for generation 0, where a face has first[f+1] - first[f] sides, and for quads; for the
+ * last step, whose children leave, and for the others. The arrays have local names because a store
+ * to an array of bytes might, for all the compiler knows, change *s. */
+static inline __attribute__((always_inline)) void split_faces(hs_state *s, bool quads, bool last) {
+    const uint32_t faces = s->faces, *first = s->first, *face = s->face;
+    const uint32_t *origin = s->origin, *twin = s->twin, *number = s->number;
+    const uint8_t *decision = s->decision, *forced = s->forced;
+    uint32_t *child = s->child, *next_origin = s->next_origin, *next_twin = s->next_twin;
+    uint8_t *next_candidate = s->next_candidate, *next_forced = s->next_forced;
+    uint32_t next_faces = 0;
+
+    for (uint32_t f = 0; f < faces; f++) {
+        const uint32_t h0 = quads ? 4 * f : first[f], n = quads ? 4 : first[f + 1] - h0;
+        if (!(decision[f] & FACE_REFINED)) {
+            send_face(s, f);
             continue;
         }
-        for (uint32_t i = 0; i < n; i++) {
-            uint32_t h = h0 + i;
-            uint32_t next = h0 + (i + 1 < n ? i + 1 : 0), prev = h0 + (i ? i - 1 : n - 1);
-            if (s->child[h] == HS_BORDER)
-                send_triangle(s, f, h, next);
-            else if (!s->last)
-                write_children(s, f, h, next, prev);
-            else if (h < s->twin[h])
-                send_quad(s, f, h, next);
+        /* Number the children. Where the twin is the lower half-edge, it has its own already; which
+         * one is the lower is as good as random, so no branch hangs on it. */
+        for (uint32_t h = h0; h < h0 + n; h++) {
+            const uint32_t t = twin[h], g = t == HS_BORDER ? f : quads ? t >> 2 : face[t];
+            if (t == HS_BORDER || !(decision[g] & FACE_REFINED)) {
+                child[h] = HS_BORDER;
+                continue;
+            }
+            const bool lower = h < t;
+            const uint32_t c0[2] = {child[t] + 2, 4 * next_faces};
+            child[h] = c0[lower];
+            next_faces += lower;
+            if (last) continue;
+            /* The quad inherits from both its parents. */
+            const uint32_t quad = c0[lower] >> 2;
+            next_candidate[quad] = decision[f] & decision[g] & FACE_SELECTED;
+            next_forced[quad] = forced[f] < forced[g] ? forced[f] : forced[g];
         }
+        for (uint32_t i = 0; i < n; i++) {
+            const uint32_t h = h0 + i, c0 = child[h], c1 = c0 + 1;
+            const uint32_t next = h0 + (i + 1 < n ? i + 1 : 0), prev = h0 + (i ? i - 1 : n - 1);
+            if (c0 == HS_BORDER) {
+                send_triangle(s, f, h, next);
+            } else if (!last) {
+                next_origin[c0] = origin[next];
+                next_origin[c1] = number[f];
+                next_twin[c0] = child[next] == HS_BORDER ? HS_BORDER : child[next] + 1;
+                next_twin[c1] = child[prev];
+            } else if (h < twin[h]) {
+                send_quad(s, f, h, next);
+            }
+        }
+    }
+    s->next_faces = next_faces;
+}
+
+void hs_stage_split(hs_state *s) {
+    if (s->finish) {
+        s->next_faces = 0;
+        for (uint32_t f = 0; f < s->faces; f++)
+            send_face(s, f);
+    } else if (s->generation == 0) {
+        if (s->last)
+            split_faces(s, false, true);
+        else
+            split_faces(s, false, false);
+    } else {
+        if (s->last)
+            split_faces(s, true, true);
+        else
+            split_faces(s, true, false);
     }
 }
