@@ -157,9 +157,10 @@ module pack #(
   generate
     for (k = 0; k < PORT_RECORDS; k = k + 1) begin : gen_lane
       crc32 step (
-          .crc_i (crc[32*k+:32]),
-          .data_i(beat[128*k+:128]),
-          .crc_o (crc[32*k+32+:32])
+          .enable_i(front_valid && 3'(k) < beat_count),
+          .crc_i   (crc[32*k+:32]),
+          .data_i  (beat[128*k+:128]),
+          .crc_o   (crc[32*k+32+:32])
       );
       assign keep[16*k+:16] = {16{3'(k) < beat_count}};
       assign sealed[128*k+:96] = 3'(k) < beat_count ? beat[128*k+:96] : 96'd0;

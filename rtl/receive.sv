@@ -207,9 +207,10 @@ module receive #(
   logic [31:0] cut_position, overflow_position;
 
   crc32 i_crc32 (
-      .crc_i (crc_q),
-      .data_i(record),
-      .crc_o (crc_d)
+      .enable_i(1'b1),
+      .crc_i   (crc_q),
+      .data_i  (record),
+      .crc_o   (crc_d)
   );
 
   receive_check #(
