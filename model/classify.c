@@ -107,6 +107,7 @@ static inline __attribute__((always_inline)) void classify_quads(hs_state *s, bo
 
     for (; corner < end; corner += 4, twin += 4) {
         hs_int4 p[4];
+#pragma GCC unroll 4
         for (int i = 0; i < 4; i++)
             p[i] = hs_load(from[corner[i]]);
         const hs_int4 new_point = hs_quad_mask(p[0], p[1], p[2], p[3]);
@@ -115,6 +116,7 @@ static inline __attribute__((always_inline)) void classify_quads(hs_state *s, bo
                                   : marks_of_quad(position[corner[0]], position[corner[1]],
                                                   position[corner[2]], position[corner[3]]);
         *face_mark++ = m;
+#pragma GCC unroll 4
         for (uint32_t i = 0; i < 4; i++) {
             const uint32_t next = (i + 1) % 4;
             if (odd) add_to_sum(sum[corner[i]], p[next], new_point);

@@ -55,7 +55,7 @@ static uint32_t load_little_endian(const uint8_t bytes[4]) {
 }
 
 /* Little-endian copy of as many words as fit a small buffer; returns how many. */
-enum { CHUNK_WORDS = 1024 };
+enum { CHUNK_WORDS = 1024, MOST_AT_ONCE = 1 << 28 };
 static size_t chunk_of_words(uint8_t bytes[4 * CHUNK_WORDS], const uint32_t *word, size_t words) {
     size_t count = words < CHUNK_WORDS ? words : CHUNK_WORDS;
     for (size_t i = 0; i < count; i++)
@@ -64,9 +64,17 @@ static size_t chunk_of_words(uint8_t bytes[4 * CHUNK_WORDS], const uint32_t *wor
 }
 
 uint32_t hs_crc(uint32_t crc, const uint32_t *word, size_t words) {
-    uint8_t bytes[4 * CHUNK_WORDS];
+    uint8_t buffer[4 * CHUNK_WORDS];
+    const bool little = __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__; /* words lie as they are sent */
     for (size_t done = 0; done < words;) {
-        size_t count = chunk_of_words(bytes, word + done, words - done);
+        const uint8_t *bytes = buffer;
+        size_t count = words - done;
+        if (little) {
+            bytes = (const uint8_t *)(word + done);
+            if (count > MOST_AT_ONCE) count = MOST_AT_ONCE;
+        } else {
+            count = chunk_of_words(buffer, word + done, count);
+        }
         crc = (uint32_t)crc32(crc, bytes, (uInt)(4 * count));
         done += count;
     }

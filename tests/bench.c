@@ -1,0 +1,139 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * How fast golden is, beside OpenSubdiv: uniform refinement of one mesh, on one thread, in this
+ * one process, in turns, the least of several rounds each. `make bench` runs it.
+ *
+ *   refinement   golden: from the initial active mesh, quantized, to the complete active mesh of
+ *                generation D = 2 levels: twins, origins and positions of every quad. OpenSubdiv:
+ *                RefineUniform (topology) and PrimvarRefiner (positions, four floats a vertex),
+ * from a base mesh whose topology is complete packet       golden: from input packet to output
+ * packet, both with CRC, checks and transform included; OpenSubdiv has no such thing
+ *
+ * "first" is a context's first view, which has to ask for its memory, as OpenSubdiv does each time;
+ * "next" is any later one.
+ */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "golden_state.h"
+#include "obj.h"
+#include "osd.h"
+#include "shape.h"
+
+#define MESH "../shared/meshes/bob_cc1_1336.obj"
+
+enum { ROUNDS = 9 };
+static const hs_limits limits = {1 << 24, 1 << 24};
+
+static double now(void) {
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+/* Seconds from the initial active mesh to the one of a generation. */
+typedef struct {
+    uint32_t generation, faces;
+    double start, end;
+} stopwatch;
+
+static void press(void *context, const hs_state *s) {
+    stopwatch *w = context;
+    if (s->generation == 0) w->start = now();
+    if (s->generation != w->generation) return;
+    w->end = now();
+    w->faces = s->faces;
+}
+
+static void quit_on(bool good, const hs_error *err) {
+    if (good) return;
+    fprintf(stderr, "bench: %s\n", err->text);
+    exit(err->code);
+}
+
+static void run(hs_golden *golden, const hs_mesh *mesh, uint32_t depth, hs_packet *out) {
+    static const float identity[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+    const hs_settings settings = {.uniform = true, .uniform_depth = (uint8_t)depth};
+    hs_packet in = {0};
+    hs_golden_report report;
+    hs_error err;
+    quit_on(hs_packet_encode(&in, 0, mesh, identity, &settings, &err), &err);
+    quit_on(hs_golden_run(golden, &in, out, &report, &err), &err);
+    hs_packet_free(&in);
+}
+
+static hs_golden *new_golden(void) {
+    hs_golden *golden = hs_golden_new(limits);
+    if (golden) return golden;
+    fprintf(stderr, "bench: no memory\n");
+    exit(HS_EXIT_INTERNAL);
+}
+
+/* The step behind generation D is not the last one, so the quads of D are stored, not sent. */
+static double time_refinement(hs_golden *golden, const hs_mesh *mesh, uint32_t depth,
+                              uint32_t *faces) {
+    stopwatch watch = {.generation = depth};
+    hs_packet out = {0};
+    hs_golden_observe(golden, &(hs_observer){.context = &watch, .entered = press});
+    run(golden, mesh, depth + 1, &out);
+    hs_golden_observe(golden, NULL);
+    hs_packet_free(&out);
+    *faces = watch.faces;
+    return watch.end - watch.start;
+}
+
+static double time_packet(hs_golden *golden, const hs_mesh *mesh, uint32_t depth, hs_packet *out) {
+    const double start = now();
+    run(golden, mesh, depth, out);
+    return now() - start;
+}
+
+static void keep_least(double *least, double seconds) {
+    if (*least == 0 || seconds < *least) *least = seconds;
+}
+
+static void compare_at(const hs_mesh *mesh, uint32_t levels) {
+    double first = 0, next = 0, packet = 0, topology = 0, position = 0;
+    uint32_t faces = 0;
+    hs_golden *warm = new_golden();
+    hs_packet out = {0};
+    for (int i = 0; i < ROUNDS; i++) {
+        hs_golden *fresh = new_golden();
+        keep_least(&first, time_refinement(fresh, mesh, 2 * levels, &faces));
+        hs_golden_free(fresh);
+        const double seconds = time_refinement(warm, mesh, 2 * levels, &faces);
+        if (i) keep_least(&next, seconds);
+        keep_least(&packet, time_packet(warm, mesh, 2 * levels, &out));
+        osd_timing osd;
+        hs_error err;
+        quit_on(osd_time(&osd, mesh, levels, &err), &err);
+        keep_least(&topology, osd.topology);
+        keep_least(&position, osd.position);
+    }
+    const double m = 1e-6 * faces, osd = topology + position;
+    printf("%5u %5u %8u | %7.1f %7.1f %7.1f | %7.1f %7.1f | %6.2f %6.2f\n", levels, 2 * levels,
+           faces, m / first, m / next, m / packet, m / osd, m / position, osd / first, osd / next);
+    hs_packet_free(&out);
+    hs_golden_free(warm);
+}
+
+int main(void) {
+    hs_mesh mesh;
+    hs_error err;
+    const char *name = MESH;
+    if (!hs_obj_read(&mesh, MESH, NULL, &err)) {
+        name = "torus, size 52"; /* 52 * 26 quads, about as many */
+        quit_on(hs_shape_make(&mesh, "torus", 52, 0, &err), &err);
+    }
+    printf("uniform refinement of %s: %u faces, %u vertices; one thread;\n"
+           "millions of output faces per second, the best of %d rounds\n\n",
+           name, mesh.faces, mesh.vertices, ROUNDS);
+    printf("                     |         golden          |    OpenSubdiv   |  golden/OSD\n");
+    printf("level depth    faces |   first    next  packet |     all positn. |  first   next\n");
+    for (uint32_t levels = 2; levels <= 4; levels++)
+        compare_at(&mesh, levels);
+    hs_mesh_free(&mesh);
+    return HS_EXIT_OK;
+}
