@@ -39,6 +39,7 @@ module emit #(
     input  logic [127:0] op_position_i,    // VERTEX: x, y, z, w from bit 0 up, S1.30
     input  logic [  3:0] op_mask_i,        // FACES: slots in use
     input  logic [  3:0] op_triangle_i,    // FACES: the slot has 3 sides, not 4
+    input  logic [  3:0] op_child_i,       // FACES: the slot's face left a generation later
     input  logic [  3:0] op_candidate_i,   // FACES; CORNER: bit 0
     input  logic [383:0] op_vertex_i,      // FACES: vertex k of slot s in 24 bits at 24*(4*s+k)
     input  logic [  7:0] op_sides_i,       // CORNER: 3 to 255
@@ -76,8 +77,8 @@ module emit #(
   localparam logic [8:0] TAG = 9'(hs_pkg::TAG);
 
   // An op without its position, in one word:
-  // {vertex, mask, triangle, candidate, sides, first, last, number, generation, kind}
-  localparam int unsigned OP_BITS = 384 + 4 + 4 + 4 + 8 + 1 + 1 + 24 + 8 + 3;
+  // {vertex, mask, triangle, child, candidate, sides, first, last, number, generation, kind}
+  localparam int unsigned OP_BITS = 384 + 4 + 4 + 4 + 4 + 8 + 1 + 1 + 24 + 8 + 3;
 
   // --- The op that comes next, as it was given ---------------------------------------------------
   logic next_valid_q, next_taken;
@@ -95,8 +96,8 @@ module emit #(
   always_ff @(posedge clk_i) begin
     if (op_ready_o) next_valid_q <= op_valid_i && leaves_trace;
     if (op_ready_o && op_valid_i) begin
-      next_q <= {op_vertex_i, op_mask_i, op_triangle_i, op_candidate_i, op_sides_i, op_first_i,
-                 op_last_i, op_number_i, op_generation_i, op_kind_i};
+      next_q <= {op_vertex_i, op_mask_i, op_triangle_i, op_child_i, op_candidate_i, op_sides_i,
+                 op_first_i, op_last_i, op_number_i, op_generation_i, op_kind_i};
       next_position_q <= op_position_i;
     end
     if (rst_i) next_valid_q <= 1'b0;
@@ -124,7 +125,7 @@ module emit #(
   logic [2:0] kind;
   logic [7:0] generation, sides;
   logic [23:0] number;
-  logic [3:0] mask, triangle, candidate;
+  logic [3:0] mask, triangle, child, candidate;
   logic [383:0] vertex;
   logic first, last;
 
@@ -139,7 +140,8 @@ module emit #(
     if (rst_i) valid_q <= 1'b0;
   end
 
-  assign {vertex, mask, triangle, candidate, sides, first, last, number, generation, kind} = this_q;
+  assign {vertex, mask, triangle, child, candidate, sides, first, last, number, generation, kind} =
+      this_q;
 
   // --- Vertices: who is in the group -------------------------------------------------------------
   logic [1:0] grouped_q;  // vertices of the group before this one
@@ -207,7 +209,7 @@ module emit #(
         3'd0,
         candidate[s],
         triangle[s] ? 8'd3 : 8'd4,
-        generation
+        generation + {7'd0, child[s]}
       };
     end
   endgenerate
@@ -395,7 +397,7 @@ module emit #(
   assert property (@(posedge clk_i) disable iff (rst_i)
       op_valid_i && !op_ready_o |=> op_valid_i && $stable(
       {op_kind_i, op_generation_i, op_number_i, op_position_i, op_mask_i, op_triangle_i,
-       op_candidate_i, op_vertex_i, op_sides_i, op_first_i, op_last_i}))
+       op_child_i, op_candidate_i, op_vertex_i, op_sides_i, op_first_i, op_last_i}))
   else $error("emit: an op was withdrawn before it was taken");
   op_is_known :
   assert property (@(posedge clk_i) disable iff (rst_i)

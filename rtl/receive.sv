@@ -325,7 +325,7 @@ module receive #(
   end
 
   assign busy_o = take;
-  assign starved_o = at_work_q && !take;
+  assign starved_o = at_work_q && at_q != AT_VIEW && !take;
   assign blocked_o = 1'b0;
   assign item_in_o = take;
   assign item_out_o = take;

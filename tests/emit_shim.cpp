@@ -54,6 +54,7 @@ void emit_rtl_cycle(emit_rtl *rtl, const emit_op *op, const emit_view *view, boo
             top.op_position_i[i] = op->position[i];
         top.op_mask_i = op->mask & 15;
         top.op_triangle_i = op->triangle & 15;
+        top.op_child_i = op->child & 15;
         top.op_candidate_i = op->candidate & 15;
         for (int word = 0; word < 12; word++) {
             const int v = word / 3 * 4 + word % 3; // three words hold four vertices

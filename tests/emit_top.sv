@@ -15,6 +15,7 @@ module emit_top (
     input  logic [127:0] op_position_i,
     input  logic [  3:0] op_mask_i,
     input  logic [  3:0] op_triangle_i,
+    input  logic [  3:0] op_child_i,
     input  logic [  3:0] op_candidate_i,
     input  logic [383:0] op_vertex_i,
     input  logic [  7:0] op_sides_i,

@@ -52,6 +52,7 @@ static void add_noise(emit_op *op, uint32_t *state) {
         op->position[i] = (uint32_t)((int32_t)chance(state) >> (1 + below(state, 31)));
     op->mask = below(state, 16);
     op->triangle = below(state, 16);
+    op->child = below(state, 16);
     op->candidate = below(state, 16);
     for (int i = 0; i < 16; i++)
         op->vertex[i] = chance(state) & 0xffffff;
@@ -200,7 +201,8 @@ static void expect_packet(packet *p, const script *s) {
             for (uint32_t slot = 0; slot < 4; slot++)
                 if (op->mask >> slot & 1)
                     put_face(p, op->vertex + 4 * slot, op->triangle >> slot & 1 ? 3 : 4,
-                             op->candidate >> slot & 1, op->generation);
+                             op->candidate >> slot & 1,
+                             (op->generation + (op->child >> slot & 1)) & 0xff);
             break;
         case HS_OP_CORNER:
             for (; count < op->sides; i++)

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// A memory of 2^BANK_BITS banks, each with one read and one write port. Word i is in bank
+// i mod 2^BANK_BITS, row i / 2^BANK_BITS.
+//
+//   * rd_data_o of a bank belongs to the row read in the cycle before; it holds while rd_en_i of
+//     that bank is low.
+//   * A read in the cycle of a write to the same row gives the old word.
+//   * Contents after reset: whatever was there.
+
+module banked_memory #(
+    // Bits of a word.
+    parameter int unsigned WIDTH = 128,
+    // Rows of a bank, as a power of two.
+    parameter int unsigned ROW_BITS = 16,
+    // Banks, as a power of two.
+    parameter int unsigned BANK_BITS = 3
+) (
+    input logic clk_i,
+
+    input  logic [       (1<<BANK_BITS)-1:0] rd_en_i,
+    input  logic [ROW_BITS*(1<<BANK_BITS)-1:0] rd_row_i,
+    output logic [   WIDTH*(1<<BANK_BITS)-1:0] rd_data_o,
+
+    input logic [       (1<<BANK_BITS)-1:0] wr_en_i,
+    input logic [ROW_BITS*(1<<BANK_BITS)-1:0] wr_row_i,
+    input logic [   WIDTH*(1<<BANK_BITS)-1:0] wr_data_i
+);
+
+  for (genvar b = 0; b < (1 << BANK_BITS); b++) begin : g_bank
+    logic [WIDTH-1:0] word_q[0:(1<<ROW_BITS)-1];
+    logic [WIDTH-1:0] data_q;
+
+    always_ff @(posedge clk_i) begin
+      if (rd_en_i[b]) data_q <= word_q[rd_row_i[b*ROW_BITS+:ROW_BITS]];
+      if (wr_en_i[b]) word_q[wr_row_i[b*ROW_BITS+:ROW_BITS]] <= wr_data_i[b*WIDTH+:WIDTH];
+    end
+    assign rd_data_o[b*WIDTH+:WIDTH] = data_q;
+  end
+
+endmodule

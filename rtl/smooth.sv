@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// smooth: goes over the vertices in the order of their numbers. In an odd step it moves those that
+// may move; it sends those that this generation's final faces will name.
+//
+//   moves  = active, not held, not on the border of the active mesh:  RNE((T + n(n-2) S) / n^2)
+//   leaves = active, not sent before, and held or on the border; in the last step, or when nothing
+//            is refined any more, every active vertex; after a last step all new vertices too
+//
+//   rows of marks --> pick a vertex --> position, sum --> division --> memories, send
+//
+//   * start_i for one cycle with count_i vertices and new_i new ones behind them. The settings hold
+//     until active_o falls, which is when everything was sent.
+//   * A vertex is active if its mark word's tag is this generation. In an odd step every active
+//     vertex' old position is kept, moved or not: classify needs it in the even step.
+//   * Rate: an active vertex a cycle; a row of vertices without work takes one cycle. In an even
+//     step only vertices that leave are work.
+//   * write_valid_o: write_vertex_o gets the position (if write_move_o), the old position (if
+//     write_old_o), and counts as sent (if write_sent_o). No vertex is read after it was written.
+//   * send_valid_o/send_ready_i: vertices that leave, in order.
+
+module smooth #(
+    parameter int unsigned VW = 19,  // width of a vertex number
+    parameter int unsigned BANK_BITS = 3
+) (
+    input logic clk_i,
+    input logic rst_i,
+
+    // from the sequencer
+    input  logic        start_i,
+    input  logic [VW:0] count_i,
+    input  logic [VW:0] new_i,
+    input  logic        odd_i,
+    input  logic        last_i,    // the children of this step are final
+    input  logic        finish_i,  // nothing is refined: all active faces are final
+    input  logic [ 7:0] generation_i,
+    output logic        active_o,
+
+    // mark and held memories, a row of all banks at a time
+    output logic                         row_rd_en_o,
+    output logic [     VW-BANK_BITS-1:0] row_rd_o,
+    input  logic [13*(1<<BANK_BITS)-1:0] mark_rd_data_i,
+    input  logic [   (1<<BANK_BITS)-1:0] held_rd_data_i,
+
+    // position and sum memories, a vertex at a time
+    output logic          vertex_rd_en_o,
+    output logic [VW-1:0] vertex_rd_index_o,
+    input  logic [ 127:0] position_rd_data_i,
+    input  logic [ 167:0] sum_rd_data_i,
+
+    // face memory: the new vertices' positions where they are not in the vertex memory
+    input  logic         new_from_face_i,
+    output logic         face_rd_en_o,
+    output logic [VW-1:0] face_rd_index_o,
+    input  logic [127:0] face_rd_data_i,
+
+    output logic          write_valid_o,
+    output logic [VW-1:0] write_vertex_o,
+    output logic          write_move_o,
+    output logic          write_old_o,
+    output logic          write_sent_o,
+    output logic [ 127:0] write_position_o,
+    output logic [ 127:0] write_before_o,
+
+    // to emit
+    output logic          send_valid_o,
+    input  logic          send_ready_i,
+    output logic [VW-1:0] send_vertex_o,
+    output logic [ 127:0] send_position_o,
+
+    // counters
+    output logic busy_o,
+    output logic starved_o,
+    output logic blocked_o,
+    output logic item_in_o,
+    output logic item_out_o
+);
+
+  localparam int unsigned BANKS = 1 << BANK_BITS;
+  localparam int unsigned ROW_BITS = VW - BANK_BITS;
+
+  // --- Rows: which of a row's vertices have work ------------------------------------------------------
+  logic rows_q, fresh_q;  // rows remain; the row that is shown was just read
+  logic [ROW_BITS-1:0] row_q;
+  logic [BANKS-1:0] work, move, leave, done_q, pick;
+  logic advance, stall, pick_row, last_row;
+
+  always_comb begin
+    for (int b = 0; b < BANKS; b++) begin
+      logic active, stays, border;
+      active = mark_rd_data_i[b*13+5+:8] == generation_i &&
+          {1'b0, row_q, BANK_BITS'(b)} < count_i;
+      border = mark_rd_data_i[b*13+3];
+      stays = held_rd_data_i[b] || border;
+      move[b] = active && odd_i && !stays && !finish_i;
+      leave[b] = active && !mark_rd_data_i[b*13+4] && (stays || last_i || finish_i);
+      work[b] = active && (odd_i || leave[b]) && !done_q[b];
+    end
+  end
+
+  assign pick = work & (~work + BANKS'(1));  // the lowest
+  assign pick_row = rows_q && fresh_q && work != '0 && !stall;
+  assign advance = rows_q && fresh_q && (work == '0 || (!stall && work == pick));
+  assign last_row = {1'b0, row_q, {BANK_BITS{1'b1}}} + (VW + 1)'(1) >= count_i;
+  assign row_rd_en_o = start_i || advance;
+  assign row_rd_o = start_i ? '0 : row_q + ROW_BITS'(1);
+
+  always_ff @(posedge clk_i) begin
+    if (row_rd_en_o) begin
+      row_q  <= row_rd_o;
+      done_q <= '0;
+    end else if (pick_row) begin
+      done_q <= done_q | pick;
+    end
+    if (start_i) begin
+      rows_q  <= count_i != '0;
+      fresh_q <= 1'b1;
+    end else if (advance && last_row) begin
+      rows_q <= 1'b0;
+    end
+    if (rst_i) rows_q <= 1'b0;
+  end
+
+  // --- New vertices, after a last step -------------------------------------------------------------------
+  logic [VW:0] new_left_q;
+  logic [VW-1:0] new_q;
+  logic pick_new;
+
+  assign pick_new = !rows_q && new_left_q != '0 && !stall;
+
+  always_ff @(posedge clk_i) begin
+    if (start_i) begin
+      new_left_q <= last_i ? new_i : '0;
+      new_q <= count_i[VW-1:0];
+    end else if (pick_new) begin
+      new_left_q <= new_left_q - (VW + 1)'(1);
+      new_q <= new_q + VW'(1);
+    end
+    if (rst_i) new_left_q <= '0;
+  end
+
+  // --- Read --------------------------------------------------------------------------------------------
+  logic [BANK_BITS-1:0] pick_bank;
+  logic read_q, read_move_q, read_leave_q, read_new_q;
+  logic [VW-1:0] read_vertex_q;
+  logic [127:0] position;
+
+  always_comb begin
+    pick_bank = '0;
+    for (int b = 0; b < BANKS; b++) if (pick[b]) pick_bank = BANK_BITS'(b);
+  end
+  assign vertex_rd_en_o = pick_row || pick_new;
+  assign face_rd_en_o = pick_new && new_from_face_i;
+  assign face_rd_index_o = new_q - count_i[VW-1:0];
+  assign vertex_rd_index_o = pick_row ? {row_q, pick_bank} : new_q;
+
+  always_ff @(posedge clk_i) begin
+    read_q <= vertex_rd_en_o;
+    if (vertex_rd_en_o) begin
+      read_vertex_q <= vertex_rd_index_o;
+      read_move_q <= pick_row && (move & pick) != '0;
+      read_leave_q <= pick_new || (leave & pick) != '0;
+      read_new_q <= pick_new;
+    end
+    if (rst_i) read_q <= 1'b0;
+  end
+
+  assign position = read_new_q && new_from_face_i ? face_rd_data_i : position_rd_data_i;
+
+  // --- Dividend: T + n(n-2) S ------------------------------------------------------------------------------
+  logic divide_valid_q;
+  logic [7:0] n_q;
+  logic [4*48-1:0] dividend_q;
+  logic [127:0] quotient;
+  logic signed [47:0] weight;
+  logic [7:0] n;
+
+  assign n = sum_rd_data_i[167:160];
+  assign weight = $signed({40'd0, n}) * ($signed({40'd0, n}) - 48'sd2);
+
+  always_ff @(posedge clk_i) begin
+    divide_valid_q <= read_q && read_move_q;
+    if (read_q && read_move_q) begin
+      n_q <= n;
+      for (int k = 0; k < 4; k++)
+        dividend_q[k*48+:48] <= {{8{sum_rd_data_i[k*40+39]}}, sum_rd_data_i[k*40+:40]} +
+            weight * $signed({{16{position[k*32+31]}}, position[k*32+:32]});
+    end
+  end
+
+  for (genvar k = 0; k < 4; k++) begin : g_divide
+    divide u_divide (
+        .clk_i,
+        .valid_i(divide_valid_q),
+        .n_i(n_q),
+        .x_i(dividend_q[k*48+:48]),
+        .y_o(quotient[k*32+:32])
+    );
+  end
+
+  // --- What goes along with the division, 5 cycles -----------------------------------------------------------
+  logic [4:0] flight_q;
+  logic along_move, along_leave, along_new;
+  logic [VW-1:0] along_vertex;
+  logic [127:0] along_position;
+  logic retire;
+
+  /* verilator lint_off PINCONNECTEMPTY */
+  fifo #(
+      .WIDTH(3 + VW + 128),
+      .DEPTH(8)
+  ) u_along (
+      .clk_i,
+      .rst_i,
+      .in_valid_i(read_q),
+      .in_ready_o(),  // at most 6 are on their way
+      .in_data_i({read_new_q, read_leave_q, read_move_q, read_vertex_q, position}),
+      .out_valid_o(),  // as flight_q
+      .out_ready_i(retire),
+      .out_data_o({along_new, along_leave, along_move, along_vertex, along_position}),
+      .level_o()
+  );
+  /* verilator lint_on PINCONNECTEMPTY */
+
+  always_ff @(posedge clk_i) begin
+    flight_q <= {flight_q[3:0], read_q};
+    if (rst_i) flight_q <= '0;
+  end
+  assign retire = flight_q[4];
+
+  assign write_valid_o = retire && !along_new;
+  assign write_vertex_o = along_vertex;
+  assign write_move_o = along_move;
+  assign write_old_o = odd_i;
+  assign write_sent_o = along_leave;
+  assign write_position_o = along_move ? quotient : along_position;
+  assign write_before_o = along_position;
+
+  // --- Send -----------------------------------------------------------------------------------------------------
+  logic [4:0] send_level;
+
+  /* verilator lint_off PINCONNECTEMPTY */
+  fifo #(
+      .WIDTH(VW + 128),
+      .DEPTH(16)
+  ) u_send (
+      .clk_i,
+      .rst_i,
+      .in_valid_i(retire && along_leave),
+      .in_ready_o(),  // stall keeps it high
+      .in_data_i({along_vertex, write_position_o}),
+      .out_valid_o(send_valid_o),
+      .out_ready_i(send_ready_i),
+      .out_data_o({send_vertex_o, send_position_o}),
+      .level_o(send_level)
+  );
+  /* verilator lint_on PINCONNECTEMPTY */
+
+  // Six may be on their way, and one is picked before the level shows the one before it.
+  assign stall = send_level > 5'd8;
+
+  // --- Counters ----------------------------------------------------------------------------------------------
+  assign active_o = rows_q || new_left_q != '0 || read_q || flight_q != '0 || send_valid_o;
+  assign busy_o = vertex_rd_en_o;
+  assign blocked_o = stall && ((rows_q && work != '0) || (!rows_q && new_left_q != '0));
+  assign starved_o = active_o && !busy_o && !blocked_o;
+  assign item_in_o = busy_o;
+  assign item_out_o = retire;
+
+endmodule

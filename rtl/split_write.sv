@@ -1,0 +1,337 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// split_write: the last part of split. It writes the child halves of an item's edges into the next
+// generation's records, and sends the faces that are final.
+//
+//   * In: an item with valid_i, whose meaning split.sv gives; it may come whenever stall_o was low
+//     3 cycles ago. children_i: per edge that is replaced, the half-edge of the next generation at
+//     which its children begin: 4 quad + 0 for the lower half-edge, + 2 for the upper.
+//   * A half is {selected, forced, border of c1, border of c0, twin of c1, twin of c0, origin of c1,
+//     origin of c0}. The twin of c0(h) is c1(next(h)), that of c1(h) is c0(prev(h)): so next and prev
+//     must be known, which in generation 0 takes the whole face: its items are folded.
+//   * Ops for emit: of a face that is not refined, itself: a quad, or corner by corner in generation
+//     0. Of a refined one, in the order of its edges, the triangles of those that are kept and, in
+//     the last step, the child quads that are numbered here; before its first triangle its new
+//     vertex, but in the last step, when smooth sent that.
+
+module split_write #(
+    parameter int unsigned VW = 19,
+    parameter int unsigned QW = 19,
+    parameter int unsigned BANK_BITS = 3
+) (
+    input logic clk_i,
+    input logic rst_i,
+
+    input  logic start_i,
+    input  logic quads_i,
+    input  logic last_step_i,
+    input  logic all_i,
+    output logic stall_o,
+    output logic active_o,
+
+    // items
+    input logic                valid_i,
+    input logic                last_i,
+    input logic                candidate_i,
+    input logic [         7:0] forced_i,
+    input logic                refined_i,
+    input logic                selected_i,
+    input logic [      VW-1:0] number_i,
+    input logic [       127:0] point_i,
+    input logic [    4*VW-1:0] origin_i,
+    input logic [4*(QW+2)-1:0] children_i,
+    input logic [         3:0] replaced_i,
+    input logic [         3:0] lower_i,
+    input logic [         3:0] beyond_selected_i,
+    input logic [    4*VW-1:0] beyond_number_i,
+
+    // next generation's records
+    output logic [                 (1<<BANK_BITS)-1:0] lower_wr_en_o,
+    output logic [   (QW-BANK_BITS)*(1<<BANK_BITS)-1:0] lower_wr_row_o,
+    output logic [(2*VW+2*QW+15)*(1<<BANK_BITS)-1:0] lower_wr_data_o,
+    output logic [                 (1<<BANK_BITS)-1:0] upper_wr_en_o,
+    output logic [   (QW-BANK_BITS)*(1<<BANK_BITS)-1:0] upper_wr_row_o,
+    output logic [(2*VW+2*QW+15)*(1<<BANK_BITS)-1:0] upper_wr_data_o,
+
+    // new vertices: born here if all_i, else just marked as sent
+    output logic          birth_o,
+    output logic          sent_o,
+    output logic [VW-1:0] birth_vertex_o,
+    output logic [ 127:0] birth_position_o,
+
+    // to emit
+    output logic         op_valid_o,
+    input  logic         op_ready_i,
+    output logic [  2:0] op_kind_o,
+    output logic [ 23:0] op_number_o,
+    output logic [127:0] op_position_o,
+    output logic [  3:0] op_mask_o,
+    output logic [  3:0] op_triangle_o,
+    output logic [  3:0] op_child_o,
+    output logic [  3:0] op_candidate_o,
+    output logic [383:0] op_vertex_o,
+    output logic [  7:0] op_sides_o,
+    output logic         op_first_o,
+    output logic         op_last_o,
+
+    output logic item_out_o,
+    output logic conflict_o
+);
+
+  localparam int unsigned HW = QW + 2;
+  localparam int unsigned HALF = 2 * VW + 2 * HW + 11;
+
+  // --- Fold: in generation 0 the first corner needs the last one's children --------------------------------
+  localparam int unsigned ITEM = 4 * VW + 4 + 4 + 4 + 4 * HW + 4 * VW + 128 + VW + 1 + 1 + 8 + 1;
+  localparam int unsigned RESULT = 8 + 1 + HW;  // {sides, last edge replaced, its children}
+
+  logic fold_valid, fold_ready, fold_last, fold_active;
+  logic [ITEM-1:0] fold_item;
+  logic [RESULT-1:0] fold_result;
+  logic [7:0] corner_q;
+
+  always_ff @(posedge clk_i) begin
+    if (valid_i) corner_q <= last_i ? 8'd0 : corner_q + 8'd1;
+    if (start_i) corner_q <= 8'd0;
+  end
+
+  fold #(
+      .ITEM_WIDTH(ITEM),
+      .RESULT_WIDTH(RESULT)
+  ) u_fold (
+      .clk_i,
+      .rst_i,
+      .stall_o,
+      .item_valid_i(valid_i),
+      .item_last_i(last_i),
+      .item_i({
+        beyond_number_i,
+        beyond_selected_i,
+        lower_i,
+        replaced_i,
+        children_i,
+        origin_i,
+        point_i,
+        number_i,
+        selected_i,
+        refined_i,
+        forced_i,
+        candidate_i
+      }),
+      .result_valid_i(valid_i && last_i),
+      .result_i({corner_q + 8'd1, replaced_i[0], children_i[HW-1:0]}),
+      .out_valid_o(fold_valid),
+      .out_ready_i(fold_ready),
+      .out_last_o(fold_last),
+      .out_item_o(fold_item),
+      .out_result_o(fold_result),
+      .active_o(fold_active)
+  );
+
+  // --- The item at work, with what is behind and before its edges --------------------------------------------
+  logic valid_q, last_q, first_q;
+  logic [ITEM-1:0] item_q;
+  logic [7:0] sides_q;
+  logic prev_replaced_q;  // generation 0: the edge before
+  logic [HW-1:0] prev_children_q;
+  logic [VW-1:0] first_origin_q;  // generation 0: the face's first corner
+  logic first_replaced_q;
+  logic [HW-1:0] first_children_q;
+  logic done, known, begins_q;
+
+  logic candidate, refined, selected;
+  logic [7:0] forced;
+  logic [VW-1:0] number;
+  logic [127:0] point;
+  logic [4*VW-1:0] origin, beyond_number;
+  logic [4*HW-1:0] children;
+  logic [3:0] replaced, lower, beyond_selected;
+
+  assign {beyond_number, beyond_selected, lower, replaced, children, origin, point, number,
+          selected, refined, forced, candidate} = item_q;
+
+  // Origin, children and replaced of the corner that the fold shows.
+  localparam int unsigned ORIGIN_AT = 128 + VW + 11;
+  localparam int unsigned CHILDREN_AT = ORIGIN_AT + 4 * VW;
+  localparam int unsigned REPLACED_AT = CHILDREN_AT + 4 * HW;
+
+  assign known = quads_i || last_q || fold_valid;
+  assign fold_ready = !valid_q || done;
+
+  always_ff @(posedge clk_i) begin
+    if (fold_valid && fold_ready) begin
+      valid_q <= 1'b1;
+      item_q <= fold_item;
+      last_q <= fold_last;
+      first_q <= begins_q;
+      begins_q <= fold_last;
+      sides_q <= fold_result[RESULT-1-:8];
+      prev_replaced_q <= begins_q ? fold_result[HW] : replaced[0];
+      prev_children_q <= begins_q ? fold_result[HW-1:0] : children[HW-1:0];
+      if (begins_q) begin
+        first_origin_q <= fold_item[ORIGIN_AT+:VW];
+        first_replaced_q <= fold_item[REPLACED_AT];
+        first_children_q <= fold_item[CHILDREN_AT+:HW];
+      end
+    end else if (done) begin
+      valid_q <= 1'b0;
+    end
+    if (start_i) begins_q <= 1'b1;
+    if (rst_i) valid_q <= 1'b0;
+  end
+
+  logic [4*VW-1:0] next_origin;
+  logic [4*HW-1:0] next_children, prev_children;
+  logic [3:0] next_replaced, prev_replaced, lanes;
+
+  always_comb begin
+    next_origin = {origin[0+:VW], origin[4*VW-1:VW]};
+    next_children = {children[0+:HW], children[4*HW-1:HW]};
+    next_replaced = {replaced[0], replaced[3:1]};
+    prev_children = {children[3*HW-1:0], children[3*HW+:HW]};
+    prev_replaced = {replaced[2:0], replaced[3]};
+    if (!quads_i) begin
+      next_origin[0+:VW] = last_q ? first_origin_q : fold_item[ORIGIN_AT+:VW];
+      next_children[0+:HW] = last_q ? first_children_q : fold_item[CHILDREN_AT+:HW];
+      next_replaced[0] = last_q ? first_replaced_q : fold_item[REPLACED_AT];
+      prev_children[0+:HW] = prev_children_q;
+      prev_replaced[0] = prev_replaced_q;
+    end
+  end
+  assign lanes = quads_i ? 4'b1111 : 4'b0001;
+
+  // --- Child halves ---------------------------------------------------------------------------------------------
+  logic [4*HALF-1:0] half;
+  logic [4*QW-1:0] quad;
+  logic [3:0] lower_mask, upper_mask;
+  logic lower_ready, upper_ready, lower_done_q, upper_done_q, lower_active, upper_active;
+  logic lower_conflict, upper_conflict;
+
+  always_comb begin
+    for (int i = 0; i < 4; i++) begin
+      half[i*HALF+:HALF] = {
+        selected,
+        forced,
+        !prev_replaced[i],
+        !next_replaced[i],
+        prev_children[i*HW+:HW],
+        next_children[i*HW+1+:HW-1],
+        1'b1,  // c1 follows c0, which is at an even place
+        number,
+        next_origin[i*VW+:VW]
+      };
+      quad[i*QW+:QW] = children[i*HW+2+:QW];
+    end
+  end
+  assign lower_mask = last_step_i ? 4'b0000 : replaced & lower;
+  assign upper_mask = last_step_i ? 4'b0000 : replaced & ~lower;
+
+  scatter #(
+      .WIDTH(HALF),
+      .ROW_BITS(QW - BANK_BITS),
+      .BANK_BITS(BANK_BITS)
+  ) u_lower (
+      .clk_i,
+      .rst_i,
+      .in_valid_i(valid_q && known && lower_mask != 4'b0000 && !lower_done_q),
+      .in_ready_o(lower_ready),
+      .in_mask_i(lower_mask),
+      .in_index_i(quad),
+      .in_data_i(half),
+      .en_o(lower_wr_en_o),
+      .row_o(lower_wr_row_o),
+      .data_o(lower_wr_data_o),
+      .conflict_o(lower_conflict),
+      .active_o(lower_active)
+  );
+
+  scatter #(
+      .WIDTH(HALF),
+      .ROW_BITS(QW - BANK_BITS),
+      .BANK_BITS(BANK_BITS)
+  ) u_upper (
+      .clk_i,
+      .rst_i,
+      .in_valid_i(valid_q && known && upper_mask != 4'b0000 && !upper_done_q),
+      .in_ready_o(upper_ready),
+      .in_mask_i(upper_mask),
+      .in_index_i(quad),
+      .in_data_i(half),
+      .en_o(upper_wr_en_o),
+      .row_o(upper_wr_row_o),
+      .data_o(upper_wr_data_o),
+      .conflict_o(upper_conflict),
+      .active_o(upper_active)
+  );
+  assign conflict_o = lower_conflict || upper_conflict;
+
+  // --- Final faces ------------------------------------------------------------------------------------------------
+  logic [3:0] kept, leaving;  // edges that yield a triangle; or, in the last step, a quad
+  logic vertex_needed, vertex_done_q, vertex_sent_q, face_needed, vertex_now;
+
+  assign kept = refined ? lanes & ~replaced : 4'b0000;
+  assign leaving = refined && last_step_i ? replaced & lower : 4'b0000;
+  // An n-gon sends its vertex with its first triangle only.
+  assign vertex_needed = kept != 4'b0000 && !last_step_i && (first_q || !vertex_sent_q);
+  assign face_needed = !refined || (kept | leaving) != 4'b0000;
+  assign vertex_now = vertex_needed && !vertex_done_q;
+
+  assign op_valid_o = valid_q && known && (vertex_now || (face_needed && !face_done_q));
+  assign op_kind_o = vertex_now ? 3'(hs_pkg::OP_VERTEX) :
+      refined || quads_i ? 3'(hs_pkg::OP_FACES) : 3'(hs_pkg::OP_CORNER);
+  assign op_number_o = refined ? 24'(number) : 24'(origin[0+:VW]);
+  assign op_position_o = point;
+  assign op_mask_o = refined ? kept | leaving : 4'b0001;
+  assign op_triangle_o = refined ? kept : 4'b0000;
+  assign op_child_o = leaving;
+  assign op_candidate_o = refined ? leaving & beyond_selected & {4{selected}} : {3'b000, candidate};
+  assign op_sides_o = sides_q;
+  assign op_first_o = first_q;
+  assign op_last_o = last_q;
+
+  always_comb begin
+    for (int i = 0; i < 4; i++) begin
+      logic [23:0] v, w, f, g;
+      v = 24'(origin[i*VW+:VW]);
+      w = 24'(next_origin[i*VW+:VW]);
+      f = 24'(number);
+      g = 24'(beyond_number[i*VW+:VW]);
+      op_vertex_o[i*96+:96] = kept[i] ? {24'd0, f, w, v} : {g, v, f, w};
+    end
+    if (!refined)
+      for (int k = 0; k < 4; k++) op_vertex_o[k*24+:24] = 24'(origin[k*VW+:VW]);
+  end
+
+  // --- The item is done when each of its parts is -------------------------------------------------------------------
+  logic face_done_q, lower_over, upper_over, vertex_over, face_over;
+
+  assign lower_over = lower_mask == 4'b0000 || lower_done_q || lower_ready;
+  assign upper_over = upper_mask == 4'b0000 || upper_done_q || upper_ready;
+  assign vertex_over = !vertex_needed || vertex_done_q || (op_ready_i && vertex_now);
+  assign face_over = !face_needed || face_done_q || (op_ready_i && !vertex_now);
+  assign done = valid_q && known && lower_over && upper_over && vertex_over && face_over;
+  assign item_out_o = done;
+
+  assign birth_o = done && all_i && refined && !last_step_i;
+  assign sent_o = done && vertex_needed;
+  assign birth_vertex_o = number;
+  assign birth_position_o = point;
+
+  always_ff @(posedge clk_i) begin
+    if (done || !valid_q || !known) begin
+      lower_done_q  <= 1'b0;
+      upper_done_q  <= 1'b0;
+      vertex_done_q <= 1'b0;
+      face_done_q   <= 1'b0;
+    end else begin
+      lower_done_q  <= lower_over;
+      upper_done_q  <= upper_over;
+      vertex_done_q <= vertex_over;
+      face_done_q   <= face_over;
+    end
+    if (done) vertex_sent_q <= !last_q && (vertex_needed || (!first_q && vertex_sent_q));
+  end
+
+  assign active_o = fold_active || valid_q || lower_active || upper_active;
+
+endmodule

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What is known of every vertex, in banks by the vertex' number:
+//
+//   position  x, y, z, w: binary32 until quantize ran, then S1.30 of the block
+//   sum       {count[7:0], T}: this generation's, in odd steps; afterwards its low 128 bits are the
+//             position before that step
+//   mark      {tag[7:0], sent, border, hits, back, front}: marks of the generation that the tag
+//             names; sent: it is in the output
+//   chosen    a selected face's vertex; held: a vertex of a face that stays. Both count only where
+//             the tag is this generation's: classify clears them with every mark that it writes
+//
+//   * Nothing is cleared between views: a vertex that is born (birth_*) gets the tag
+//     birth_generation_i, of a generation that its next classify is not.
+//   * The stages take turns. Single accesses go to one bank, rows to the same row of all banks. Two
+//     users of one memory's read port, or write port, in the same cycle are illegal, with the
+//     exceptions that classify's ports need: see accumulate.
+//   * Every read answers one cycle later.
+
+module vertex_memory #(
+    parameter int unsigned VW = 19,
+    parameter int unsigned BANK_BITS = 3,
+    localparam int unsigned BANKS = 1 << BANK_BITS,
+    localparam int unsigned ROW_BITS = VW - BANK_BITS
+) (
+    input logic clk_i,
+
+    // transform: positions in binary32; quantize reads them and gives birth to what it makes
+    input  logic          load_wr_en_i,
+    input  logic [VW-1:0] load_wr_index_i,
+    input  logic [ 127:0] load_wr_data_i,
+    input  logic          quantize_rd_en_i,
+    input  logic [VW-1:0] quantize_rd_index_i,
+    output logic [ 127:0] single_position_o,  // of the latest single read
+
+    // birth (quantize, guard, split): position, old position, mark word; sent_i alone: mark word
+    input logic          birth_i,
+    input logic          sent_i,
+    input logic [VW-1:0] birth_vertex_i,
+    input logic [ 127:0] birth_position_i,
+    input logic [   7:0] birth_generation_i,
+
+    input logic [7:0] generation_i,
+
+    // classify
+    input  logic [         BANKS-1:0] gather_rd_en_i,
+    input  logic [ROW_BITS*BANKS-1:0] gather_rd_row_i,
+    input  logic                      gather_old_i,     // read the old positions too
+    output logic [     256*BANKS-1:0] gather_rd_data_o, // {old, position}
+    input  logic [         BANKS-1:0] mark_rd_en_i,     // classify or select
+    input  logic [ROW_BITS*BANKS-1:0] mark_rd_row_i,
+    output logic [      13*BANKS-1:0] mark_rd_data_o,
+    input  logic [         BANKS-1:0] mark_wr_en_i,
+    input  logic [ROW_BITS*BANKS-1:0] mark_wr_row_i,
+    input  logic [      13*BANKS-1:0] mark_wr_data_i,
+    input  logic [         BANKS-1:0] sum_rd_en_i,
+    input  logic [ROW_BITS*BANKS-1:0] sum_rd_row_i,
+    output logic [     168*BANKS-1:0] sum_rd_data_o,
+    input  logic [         BANKS-1:0] sum_wr_en_i,
+    input  logic [ROW_BITS*BANKS-1:0] sum_wr_row_i,
+    input  logic [     168*BANKS-1:0] sum_wr_data_i,
+
+    // select and guard
+    input  logic [         BANKS-1:0] chosen_wr_en_i,
+    input  logic [ROW_BITS*BANKS-1:0] chosen_wr_row_i,
+    input  logic [         BANKS-1:0] chosen_rd_en_i,
+    input  logic [ROW_BITS*BANKS-1:0] chosen_rd_row_i,
+    output logic [         BANKS-1:0] chosen_rd_data_o,
+    input  logic [         BANKS-1:0] held_wr_en_i,
+    input  logic [ROW_BITS*BANKS-1:0] held_wr_row_i,
+
+    // smooth
+    input  logic                row_rd_en_i,
+    input  logic [ROW_BITS-1:0] row_rd_i,
+    output logic [   BANKS-1:0] held_rd_data_o,
+    input  logic                smooth_rd_en_i,
+    input  logic [      VW-1:0] smooth_rd_index_i,
+    output logic [       167:0] single_sum_o,
+    input  logic                smooth_wr_i,
+    input  logic [      VW-1:0] smooth_wr_vertex_i,
+    input  logic                smooth_wr_move_i,
+    input  logic                smooth_wr_old_i,
+    input  logic                smooth_wr_sent_i,
+    input  logic [       127:0] smooth_wr_position_i,
+    input  logic [       127:0] smooth_wr_before_i
+);
+
+  // --- A single access, as the banks see it -------------------------------------------------------------
+  function automatic logic [BANKS-1:0] bank_of(input logic en,
+                                               input logic [BANK_BITS-1:0] bank);
+    bank_of = BANKS'(en) << bank;
+  endfunction
+
+  // --- Position -------------------------------------------------------------------------------------------
+  logic single_rd_en, position_wr_en;
+  logic [VW-1:0] single_rd_index, position_wr_index;
+  logic [127:0] position_wr_data;
+  logic [BANK_BITS-1:0] single_bank_q;
+  logic [BANKS-1:0] position_rd_en;
+  logic [ROW_BITS*BANKS-1:0] position_rd_row;
+  logic [128*BANKS-1:0] position_rd_data;
+
+  assign single_rd_en = quantize_rd_en_i || smooth_rd_en_i;
+  assign single_rd_index = smooth_rd_en_i ? smooth_rd_index_i : quantize_rd_index_i;
+  assign position_rd_en = gather_rd_en_i | bank_of(single_rd_en, single_rd_index[BANK_BITS-1:0]);
+  assign position_rd_row = single_rd_en ? {BANKS{single_rd_index[VW-1:BANK_BITS]}} :
+      gather_rd_row_i;
+  assign position_wr_en = load_wr_en_i || birth_i || (smooth_wr_i && smooth_wr_move_i);
+
+  always_comb begin
+    position_wr_index = load_wr_index_i;
+    position_wr_data  = load_wr_data_i;
+    if (birth_i) begin
+      position_wr_index = birth_vertex_i;
+      position_wr_data  = birth_position_i;
+    end
+    if (smooth_wr_i) begin
+      position_wr_index = smooth_wr_vertex_i;
+      position_wr_data  = smooth_wr_position_i;
+    end
+  end
+
+  always_ff @(posedge clk_i) if (single_rd_en) single_bank_q <= single_rd_index[BANK_BITS-1:0];
+
+  banked_memory #(
+      .WIDTH(128),
+      .ROW_BITS(ROW_BITS),
+      .BANK_BITS(BANK_BITS)
+  ) u_position (
+      .clk_i,
+      .rd_en_i(position_rd_en),
+      .rd_row_i(position_rd_row),
+      .rd_data_o(position_rd_data),
+      .wr_en_i(bank_of(position_wr_en, position_wr_index[BANK_BITS-1:0])),
+      .wr_row_i({BANKS{position_wr_index[VW-1:BANK_BITS]}}),
+      .wr_data_i({BANKS{position_wr_data}})
+  );
+
+  assign single_position_o = position_rd_data[32'(single_bank_q)*128+:128];
+
+  // --- Sum, old position ---------------------------------------------------------------------------------
+  logic old_wr_en;
+  logic [VW-1:0] old_wr_index;
+  logic [127:0] old_wr_data;
+  logic [BANKS-1:0] sum_rd_en;
+  logic [ROW_BITS*BANKS-1:0] sum_rd_row;
+
+  assign sum_rd_en = sum_rd_en_i | (gather_old_i ? gather_rd_en_i : '0) |
+      bank_of(smooth_rd_en_i, smooth_rd_index_i[BANK_BITS-1:0]);
+  assign sum_rd_row = smooth_rd_en_i ? {BANKS{smooth_rd_index_i[VW-1:BANK_BITS]}} :
+      gather_old_i ? gather_rd_row_i : sum_rd_row_i;
+  assign old_wr_en = birth_i || (smooth_wr_i && smooth_wr_old_i);
+  assign old_wr_index = birth_i ? birth_vertex_i : smooth_wr_vertex_i;
+  assign old_wr_data = birth_i ? birth_position_i : smooth_wr_before_i;
+
+  banked_memory #(
+      .WIDTH(168),
+      .ROW_BITS(ROW_BITS),
+      .BANK_BITS(BANK_BITS)
+  ) u_sum (
+      .clk_i,
+      .rd_en_i(sum_rd_en),
+      .rd_row_i(sum_rd_row),
+      .rd_data_o(sum_rd_data_o),
+      .wr_en_i(sum_wr_en_i | bank_of(old_wr_en, old_wr_index[BANK_BITS-1:0])),
+      .wr_row_i(old_wr_en ? {BANKS{old_wr_index[VW-1:BANK_BITS]}} : sum_wr_row_i),
+      .wr_data_i(old_wr_en ? {BANKS{40'd0, old_wr_data}} : sum_wr_data_i)
+  );
+
+  assign single_sum_o = sum_rd_data_o[32'(single_bank_q)*168+:168];
+  for (genvar b = 0; b < BANKS; b++) begin : g_gather
+    assign gather_rd_data_o[b*256+:256] = {
+      sum_rd_data_o[b*168+:128], position_rd_data[b*128+:128]
+    };
+  end
+
+  // --- Marks -----------------------------------------------------------------------------------------------
+  logic mark_single_en, leaves;
+  logic [VW-1:0] mark_single_index;
+  logic [12:0] mark_single_data;
+  logic [BANKS-1:0] all_banks;
+  logic [ROW_BITS*BANKS-1:0] rows;
+
+  assign leaves = smooth_wr_i && smooth_wr_sent_i;
+  assign mark_single_en = birth_i || sent_i || leaves;
+  assign mark_single_index = leaves ? smooth_wr_vertex_i : birth_vertex_i;
+  assign mark_single_data = {leaves ? generation_i : birth_generation_i, leaves || sent_i, 4'd0};
+  assign all_banks = {BANKS{row_rd_en_i}};
+  assign rows = {BANKS{row_rd_i}};
+
+  banked_memory #(
+      .WIDTH(13),
+      .ROW_BITS(ROW_BITS),
+      .BANK_BITS(BANK_BITS)
+  ) u_mark (
+      .clk_i,
+      .rd_en_i(mark_rd_en_i | all_banks),
+      .rd_row_i(row_rd_en_i ? rows : mark_rd_row_i),
+      .rd_data_o(mark_rd_data_o),
+      .wr_en_i(mark_wr_en_i | bank_of(mark_single_en, mark_single_index[BANK_BITS-1:0])),
+      .wr_row_i(mark_single_en ? {BANKS{mark_single_index[VW-1:BANK_BITS]}} : mark_wr_row_i),
+      .wr_data_i(mark_single_en ? {BANKS{mark_single_data}} : mark_wr_data_i)
+  );
+
+  banked_memory #(
+      .WIDTH(1),
+      .ROW_BITS(ROW_BITS),
+      .BANK_BITS(BANK_BITS)
+  ) u_chosen (
+      .clk_i,
+      .rd_en_i(chosen_rd_en_i),
+      .rd_row_i(chosen_rd_row_i),
+      .rd_data_o(chosen_rd_data_o),
+      .wr_en_i(mark_wr_en_i | chosen_wr_en_i),
+      .wr_row_i(mark_wr_row_i | chosen_wr_row_i),  // the one that does not write is 0
+      .wr_data_i(chosen_wr_en_i)
+  );
+
+  banked_memory #(
+      .WIDTH(1),
+      .ROW_BITS(ROW_BITS),
+      .BANK_BITS(BANK_BITS)
+  ) u_held (
+      .clk_i,
+      .rd_en_i(all_banks),
+      .rd_row_i(rows),
+      .rd_data_o(held_rd_data_o),
+      .wr_en_i(mark_wr_en_i | held_wr_en_i),
+      .wr_row_i(mark_wr_row_i | held_wr_row_i),
+      .wr_data_i(held_wr_en_i)
+  );
+
+endmodule
