@@ -155,6 +155,8 @@ enum hs_view_picture {
 
 const char *hs_view_picture_file(enum hs_view_picture which);
 const char *hs_view_picture_caption(enum hs_view_picture which);
+/* How it is drawn; the window of a close-up is found by hs_renderer_finest. */
+hs_style hs_view_picture_style(enum hs_view_picture which);
 
 typedef struct hs_view_pictures {
     hs_picture picture[HS_VIEW_COUNT]; /* empty where there is none */

@@ -38,6 +38,17 @@ static const hs_style initial_wires_style = {.paint = HS_PAINT_CLAY, .wires = tr
 static const hs_style depth_style = {.paint = HS_PAINT_DEPTH, .wires = true, .legend = true};
 static const hs_style facing_style = {.paint = HS_PAINT_FACING, .wires = true, .legend = true};
 
+hs_style hs_view_picture_style(enum hs_view_picture which) {
+    static const hs_style *const style[HS_VIEW_COUNT] = {
+        [HS_VIEW_INITIAL] = &initial_style, [HS_VIEW_INITIAL_WIRES] = &initial_wires_style,
+        [HS_VIEW_REFINED] = &filled_style,  [HS_VIEW_REFINED_WIRES] = &depth_style,
+        [HS_VIEW_SIDE] = &filled_style,     [HS_VIEW_SIDE_WIRES] = &depth_style,
+        [HS_VIEW_FACING] = &facing_style,   [HS_VIEW_FACING_SIDE] = &facing_style,
+        [HS_VIEW_CLOSEUP] = &depth_style,   [HS_VIEW_CLOSEUP_SIDE] = &depth_style,
+    };
+    return *style[which];
+}
+
 /* One surface in two styles. */
 static bool draw_pair(hs_renderer *renderer, const hs_surface *surface, const hs_style *a,
                       hs_picture *picture_a, const hs_style *b, hs_picture *picture_b,
