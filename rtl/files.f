@@ -24,6 +24,7 @@ rtl/quantize.sv
 rtl/receive.sv
 rtl/receive_check.sv
 rtl/record_memory.sv
+rtl/refine.sv
 rtl/registers.sv
 rtl/scatter.sv
 rtl/select.sv
