@@ -174,6 +174,10 @@ void hs_renderer_free(hs_renderer *renderer) {
     free(renderer);
 }
 
+double hs_renderer_aspect(const hs_renderer *renderer) {
+    return (double)renderer->width / renderer->height;
+}
+
 /* --- Batches ---------------------------------------------------------------------------------- */
 
 static void flush(hs_renderer *r) {

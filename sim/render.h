@@ -122,6 +122,9 @@ typedef struct hs_renderer hs_renderer;
 hs_renderer *hs_renderer_new(uint32_t width, uint32_t height, uint32_t samples, hs_error *err);
 void hs_renderer_free(hs_renderer *renderer);
 
+/* Width / height of its pictures. */
+double hs_renderer_aspect(const hs_renderer *renderer);
+
 /* Draws a surface. Replaces *picture, which must be empty. */
 bool hs_renderer_draw(hs_renderer *renderer, const hs_surface *surface, const hs_style *style,
                       hs_picture *picture, hs_error *err);
@@ -155,8 +158,19 @@ enum hs_view_picture {
 
 const char *hs_view_picture_file(enum hs_view_picture which);
 const char *hs_view_picture_caption(enum hs_view_picture which);
-/* How it is drawn; the window of a close-up is found by hs_renderer_finest. */
-hs_style hs_view_picture_style(enum hs_view_picture which);
+/* Whether it shows the output; otherwise, the initial mesh. */
+bool hs_view_picture_shows_output(enum hs_view_picture which);
+/* Whether it is seen from the side; otherwise, from the viewpoint. */
+bool hs_view_picture_is_side(enum hs_view_picture which);
+
+/* The surface as such pictures see it from the side: hs_surface_turn. */
+bool hs_view_picture_turn(hs_surface *side, const hs_surface *surface, double aspect,
+                          hs_error *err);
+
+/* Draws one of them; surface is what it shows, turned already if it is seen from the side. *window
+ * (may be NULL) becomes a close-up's place. */
+bool hs_view_picture_draw(hs_picture *picture, enum hs_view_picture which, hs_renderer *renderer,
+                          const hs_surface *surface, hs_window *window, hs_error *err);
 
 typedef struct hs_view_pictures {
     hs_picture picture[HS_VIEW_COUNT]; /* empty where there is none */

@@ -16,110 +16,113 @@
 #define CLOSEUP_SCALE      9.0
 #define CLOSEUP_SIDE_SCALE 5.0
 
-static const struct {
-    const char *file, *caption;
-} pictures_of_view[HS_VIEW_COUNT] = {
-#define PICTURE(name, file, caption) {file, caption},
-    HS_VIEW_PICTURES(PICTURE)
-#undef PICTURE
-};
-
-const char *hs_view_picture_file(enum hs_view_picture which) {
-    return pictures_of_view[which].file;
-}
-
-const char *hs_view_picture_caption(enum hs_view_picture which) {
-    return pictures_of_view[which].caption;
-}
-
 static const hs_style filled_style = {.paint = HS_PAINT_CLAY, .smooth = true};
 static const hs_style initial_style = {.paint = HS_PAINT_CLAY};
 static const hs_style initial_wires_style = {.paint = HS_PAINT_CLAY, .wires = true};
 static const hs_style depth_style = {.paint = HS_PAINT_DEPTH, .wires = true, .legend = true};
 static const hs_style facing_style = {.paint = HS_PAINT_FACING, .wires = true, .legend = true};
 
-hs_style hs_view_picture_style(enum hs_view_picture which) {
-    static const hs_style *const style[HS_VIEW_COUNT] = {
-        [HS_VIEW_INITIAL] = &initial_style, [HS_VIEW_INITIAL_WIRES] = &initial_wires_style,
-        [HS_VIEW_REFINED] = &filled_style,  [HS_VIEW_REFINED_WIRES] = &depth_style,
-        [HS_VIEW_SIDE] = &filled_style,     [HS_VIEW_SIDE_WIRES] = &depth_style,
-        [HS_VIEW_FACING] = &facing_style,   [HS_VIEW_FACING_SIDE] = &facing_style,
-        [HS_VIEW_CLOSEUP] = &depth_style,   [HS_VIEW_CLOSEUP_SIDE] = &depth_style,
-    };
-    return *style[which];
+static const struct {
+    const char *file, *caption;
+} names[HS_VIEW_COUNT] = {
+#define PICTURE(name, file, caption) {file, caption},
+    HS_VIEW_PICTURES(PICTURE)
+#undef PICTURE
+};
+
+/* What is drawn, and how. */
+static const struct {
+    bool refined;   /* the output; otherwise the initial mesh */
+    bool side;      /* not from the viewpoint */
+    double closeup; /* enlargement; 0: all of the screen */
+    const hs_style *style;
+} kinds[HS_VIEW_COUNT] = {
+    [HS_VIEW_INITIAL] = {false, false, 0, &initial_style},
+    [HS_VIEW_REFINED] = {true, false, 0, &filled_style},
+    [HS_VIEW_SIDE] = {true, true, 0, &filled_style},
+    [HS_VIEW_FACING] = {false, false, 0, &facing_style},
+    [HS_VIEW_CLOSEUP] = {true, false, CLOSEUP_SCALE, &depth_style},
+    [HS_VIEW_INITIAL_WIRES] = {false, false, 0, &initial_wires_style},
+    [HS_VIEW_REFINED_WIRES] = {true, false, 0, &depth_style},
+    [HS_VIEW_SIDE_WIRES] = {true, true, 0, &depth_style},
+    [HS_VIEW_FACING_SIDE] = {false, true, 0, &facing_style},
+    [HS_VIEW_CLOSEUP_SIDE] = {true, true, CLOSEUP_SIDE_SCALE, &depth_style},
+};
+
+const char *hs_view_picture_file(enum hs_view_picture which) {
+    return names[which].file;
 }
 
-/* One surface in two styles. */
-static bool draw_pair(hs_renderer *renderer, const hs_surface *surface, const hs_style *a,
-                      hs_picture *picture_a, const hs_style *b, hs_picture *picture_b,
-                      hs_error *err) {
-    return hs_renderer_draw(renderer, surface, a, picture_a, err) &&
-           hs_renderer_draw(renderer, surface, b, picture_b, err);
+const char *hs_view_picture_caption(enum hs_view_picture which) {
+    return names[which].caption;
 }
 
-static bool draw_initial(hs_view_pictures *pictures, hs_renderer *renderer,
-                         const hs_surface *initial, hs_error *err) {
-    hs_picture *p = pictures->picture;
-    return draw_pair(renderer, initial, &initial_style, &p[HS_VIEW_INITIAL], &initial_wires_style,
-                     &p[HS_VIEW_INITIAL_WIRES], err) &&
-           hs_renderer_draw(renderer, initial, &facing_style, &p[HS_VIEW_FACING], err);
+bool hs_view_picture_shows_output(enum hs_view_picture which) {
+    return kinds[which].refined;
 }
 
-static bool draw_closeup(hs_renderer *renderer, const hs_surface *refined, double scale,
-                         hs_picture *picture, hs_window *window, hs_error *err) {
-    hs_style style = depth_style;
-    if (!hs_renderer_finest(renderer, refined, scale, &style.window, err)) return false;
-    *window = style.window;
-    return hs_renderer_draw(renderer, refined, &style, picture, err);
+bool hs_view_picture_is_side(enum hs_view_picture which) {
+    return kinds[which].side;
 }
 
-static bool draw_refined(hs_view_pictures *pictures, hs_renderer *renderer,
-                         const hs_surface *refined, hs_error *err) {
-    hs_picture *p = pictures->picture;
-    if (!draw_pair(renderer, refined, &filled_style, &p[HS_VIEW_REFINED], &depth_style,
-                   &p[HS_VIEW_REFINED_WIRES], err))
+bool hs_view_picture_turn(hs_surface *side, const hs_surface *surface, double aspect,
+                          hs_error *err) {
+    return hs_surface_turn(side, surface, SIDE_DEGREES, aspect, err);
+}
+
+bool hs_view_picture_draw(hs_picture *picture, enum hs_view_picture which, hs_renderer *renderer,
+                          const hs_surface *surface, hs_window *window, hs_error *err) {
+    *picture = (hs_picture){0};
+    hs_style style = *kinds[which].style;
+    if (kinds[which].closeup > 0 &&
+        !hs_renderer_finest(renderer, surface, kinds[which].closeup, &style.window, err))
         return false;
-    return draw_closeup(renderer, refined, CLOSEUP_SCALE, &p[HS_VIEW_CLOSEUP], &pictures->closeup,
-                        err);
+    if (window) *window = style.window;
+    return hs_renderer_draw(renderer, surface, &style, picture, err);
+}
+
+/* --- All of a view ------------------------------------------------------------------------------
+ */
+
+/* The surfaces that a view's pictures show: [refined][side]. */
+typedef struct hs_view_surfaces {
+    hs_surface of[2][2];
+} hs_view_surfaces;
+
+static bool make_surfaces(hs_view_surfaces *s, const hs_mesh *mesh, const hs_output *output,
+                          const float matrix[16], hs_error *err) {
+    return hs_surface_of_mesh(&s->of[0][0], mesh, matrix, err) &&
+           hs_surface_of_output(&s->of[1][0], output, matrix, err);
 }
 
 /* What cannot be turned is left out; *err then is the reason, and no failure. */
-static bool draw_side(hs_view_pictures *pictures, hs_renderer *renderer, const hs_surface *initial,
-                      const hs_surface *refined, hs_error *err) {
-    hs_picture *p = pictures->picture;
-    uint32_t width = p[HS_VIEW_INITIAL].width, height = p[HS_VIEW_INITIAL].height;
-    hs_surface side;
-    hs_window window;
-    bool turned = hs_surface_turn(&side, refined, SIDE_DEGREES, (double)width / height, err);
-    if (!turned && err->code != HS_EXIT_VIEWS) return false;
-    if (!turned) {
-        snprintf(pictures->no_side, sizeof pictures->no_side, "%.*s",
-                 (int)sizeof pictures->no_side - 1, err->text);
+static bool turn_surfaces(hs_view_surfaces *s, double aspect, char *no_side, size_t size,
+                          hs_error *err) {
+    for (int refined = 1; refined >= 0 && !no_side[0]; refined--) {
+        if (hs_view_picture_turn(&s->of[refined][1], &s->of[refined][0], aspect, err)) continue;
+        if (err->code != HS_EXIT_VIEWS) return false;
+        snprintf(no_side, size, "%.*s", (int)size - 1, err->text);
         *err = (hs_error){0};
-        return true;
     }
-    bool done =
-        draw_pair(renderer, &side, &filled_style, &p[HS_VIEW_SIDE], &depth_style,
-                  &p[HS_VIEW_SIDE_WIRES], err) &&
-        draw_closeup(renderer, &side, CLOSEUP_SIDE_SCALE, &p[HS_VIEW_CLOSEUP_SIDE], &window, err);
-    hs_surface_free(&side);
-    done = done && hs_surface_turn(&side, initial, SIDE_DEGREES, (double)width / height, err);
-    done = done && hs_renderer_draw(renderer, &side, &facing_style, &p[HS_VIEW_FACING_SIDE], err);
-    hs_surface_free(&side);
-    return done;
+    return true;
 }
 
 bool hs_view_pictures_draw(hs_view_pictures *pictures, hs_renderer *renderer, const hs_mesh *mesh,
                            const hs_output *output, const float matrix[16], hs_error *err) {
     *pictures = (hs_view_pictures){0};
-    hs_surface initial = {0}, refined = {0};
-    bool done = hs_surface_of_mesh(&initial, mesh, matrix, err) &&
-                hs_surface_of_output(&refined, output, matrix, err) &&
-                draw_initial(pictures, renderer, &initial, err) &&
-                draw_refined(pictures, renderer, &refined, err) &&
-                draw_side(pictures, renderer, &initial, &refined, err);
-    hs_surface_free(&initial);
-    hs_surface_free(&refined);
+    hs_view_surfaces surfaces = {0};
+    bool done = make_surfaces(&surfaces, mesh, output, matrix, err) &&
+                turn_surfaces(&surfaces, hs_renderer_aspect(renderer), pictures->no_side,
+                              sizeof pictures->no_side, err);
+    for (int i = 0; i < HS_VIEW_COUNT && done; i++) {
+        if (kinds[i].side && pictures->no_side[0]) continue;
+        hs_window window;
+        done = hs_view_picture_draw(&pictures->picture[i], (enum hs_view_picture)i, renderer,
+                                    &surfaces.of[kinds[i].refined][kinds[i].side], &window, err);
+        if (i == HS_VIEW_CLOSEUP) pictures->closeup = window;
+    }
+    for (int i = 0; i < 4; i++)
+        hs_surface_free(&surfaces.of[i / 2][i % 2]);
     if (!done) hs_view_pictures_free(pictures);
     return done;
 }

@@ -133,12 +133,6 @@ void hs_run_pictures_free(hs_run_pictures *pictures) {
 static const enum hs_view_picture compared_pictures[] = {HS_VIEW_REFINED, HS_VIEW_REFINED_WIRES};
 enum { COMPARED_PICTURES = sizeof compared_pictures / sizeof *compared_pictures };
 
-static bool draw(hs_picture *picture, enum hs_view_picture which, hs_run_pictures *pictures,
-                 const hs_surface *surface, hs_error *err) {
-    hs_style style = hs_view_picture_style(which);
-    return hs_renderer_draw(pictures->renderer, surface, &style, picture, err);
-}
-
 /* Unlike hs_picture_compare, this counts pixels of another coverage as well. */
 static uint64_t count_different(const hs_picture *a, const hs_picture *b) {
     uint64_t different = 0;
@@ -194,7 +188,7 @@ static bool compare_engine(hs_run_pictures_report *report, hs_run_pictures *pict
                                          .what = hs_view_picture_file(which),
                                          .must_equal = true};
         hs_picture picture = {0};
-        done = draw(&picture, which, pictures, &surface, err) &&
+        done = hs_view_picture_draw(&picture, which, pictures->renderer, &surface, NULL, err) &&
                compare_pixels(c, &drawn->picture[which], &picture, err);
         hs_picture_free(&picture);
         if (done && surface.faces == 0) {
@@ -219,7 +213,8 @@ static bool draw_reference(hs_picture *picture, hs_run_pictures *pictures, const
         free(surface.object);
         surface.object = NULL;
     }
-    bool done = draw(picture, HS_VIEW_REFINED, pictures, &surface, err);
+    bool done =
+        hs_view_picture_draw(picture, HS_VIEW_REFINED, pictures->renderer, &surface, NULL, err);
     hs_surface_free(&surface);
     return done;
 }
