@@ -47,6 +47,10 @@ bool hs_rtl_run(hs_rtl *rtl, const hs_packet *in, hs_stalls stalls, hs_packet *o
 /* Cycles simulated since hs_rtl_new. */
 uint64_t hs_rtl_cycle(const hs_rtl *rtl);
 
+/* The cycle, from the start of the last hs_rtl_run, in which a word of its output was taken;
+ * UINT64_MAX if it did not send so many. */
+uint64_t hs_rtl_word_cycle(const hs_rtl *rtl, size_t word);
+
 #ifdef __cplusplus
 }
 #endif

@@ -11,6 +11,7 @@
 #include <memory>
 #include <new>
 #include <string>
+#include <vector>
 
 #include "Vhalfstep.h"
 #include "rtl.h"
@@ -57,6 +58,7 @@ struct hs_rtl {
     hs_limits limits{}, capacity{};
     axil bus;
     snapshot before{};
+    std::vector<uint32_t> beat_cycle; /* of the last run: when each beat was taken */
     bool broken = false; /* the last run failed: reset before the next */
 };
 
@@ -236,6 +238,11 @@ uint64_t hs_rtl_cycle(const hs_rtl *rtl) {
     return rtl->cycle;
 }
 
+uint64_t hs_rtl_word_cycle(const hs_rtl *rtl, size_t word) {
+    const size_t beat = word / BEAT_WORDS;
+    return beat < rtl->beat_cycle.size() ? rtl->beat_cycle[beat] : UINT64_MAX;
+}
+
 bool hs_rtl_trace(hs_rtl *rtl, const char *path, uint64_t first, uint64_t last, hs_error *err) {
     if (rtl->trace) rtl->trace->close();
     rtl->trace.reset();
@@ -400,6 +407,7 @@ static bool stream(hs_rtl *rtl, const hs_packet *in, hs_stalls stalls, hs_packet
     watch life(begin);
     beat shown;
     size_t at = 0;
+    rtl->beat_cycle.clear();
     bool offered = false, taken = false, ended = false, started = false;
     report->first_out = 0;
     while (!ended || !taken || !rtl->bus.idle()) {
@@ -424,6 +432,7 @@ static bool stream(hs_rtl *rtl, const hs_packet *in, hs_stalls stalls, hs_packet
         if (top.m_axis_tvalid && top.m_axis_tready) {
             const auto bytes = static_cast<size_t>(__builtin_popcountll(top.m_axis_tkeep));
             if (!hs_packet_append(out, &top.m_axis_tdata[0], bytes / 16, err)) return false;
+            rtl->beat_cycle.push_back(static_cast<uint32_t>(rtl->cycle - begin));
             if (!started) report->first_out = rtl->cycle;
             started = true;
             ended = top.m_axis_tlast;

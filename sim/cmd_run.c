@@ -1,0 +1,348 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * halfstep run: a mesh and viewpoints through the engines.
+ */
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "commands.h"
+#include "file.h"
+#include "mesh_source.h"
+#include "options.h"
+#include "report_json.h"
+#include "run.h"
+
+static const hs_command COMMAND = {
+    .name = "run",
+    .operands = "MESH",
+    .least = 1,
+    .most = 1,
+    .what = "Streams a mesh, viewpoint by viewpoint, through the engines and compares them",
+    .text = "MESH is an OBJ file or shape:NAME[:SIZE[:SEED]] (`halfstep mesh list`).\n"
+            "\n"
+            "Engines: reference  doubles, the paper to the letter; replays golden's decisions\n"
+            "         golden     integers in C: what every output word has to be\n"
+            "         rtl        the SystemVerilog, under Verilator, cycle by cycle\n"
+            "\n"
+            "Examples:\n"
+            "  halfstep run shape:cube\n"
+            "      one view of a cube, every word of rtl compared with golden\n"
+            "  halfstep run shape:hand --orbit 8 --out out/hand --json out/hand.json\n"
+            "      eight viewpoints; meshes and pictures in out/hand, figures in the JSON\n"
+            "  halfstep run bob.obj --uniform 6 --engine golden,reference\n"
+            "      three Catmull-Clark levels everywhere, integers against doubles\n"
+            "  halfstep run bob.obj --views my.txt --stalls 30,50 --seed 7\n"
+            "      your own viewpoints (docs/command-line.md), both sides of the streams\n"
+            "      pausing at random in 30 and 50 % of the cycles\n"
+            "\n"
+            "Exits 0 if all comparisons hold, 1 if engines differ, 7 if a view was refused;\n"
+            "docs/command-line.md has all codes, and the keys of the JSON report.\n"};
+
+/* --- The request --------------------------------------------------------------------------------
+ */
+
+static const char *const ENGINE_NAME[HS_ENGINES] = {"reference", "golden", "model", "rtl"};
+
+const char *hs_engine_name(enum hs_engine engine) {
+    return ENGINE_NAME[engine];
+}
+
+bool hs_engines_parse(const char *list, uint32_t *engines, hs_error *err) {
+    const char *names[HS_ENGINES + 1] = {NULL};
+    memcpy(names, ENGINE_NAME, sizeof ENGINE_NAME);
+    char text[100], *rest = text, *name;
+    if (strlen(list) >= sizeof text)
+        return hs_fail(err, HS_EXIT_USAGE, "--engine: \"%.60s...\" is too long", list);
+    memcpy(text, list, strlen(list) + 1);
+    *engines = 0;
+    while ((name = strsep(&rest, ",")) != NULL) {
+        int e = 0;
+        while (e < HS_ENGINES && strcmp(name, ENGINE_NAME[e]) != 0)
+            e++;
+        if (e == HS_ENGINE_model)
+            return hs_fail(err, HS_EXIT_USAGE,
+                           "--engine: this version does not contain the cycle-level model; name "
+                           "reference, golden or rtl");
+        if (e == HS_ENGINES) {
+            const char *nearest = hs_nearest(name, names);
+            return hs_fail(err, HS_EXIT_USAGE,
+                           "--engine: no engine \"%s\"%s%s%s; there are reference, golden and rtl",
+                           name, nearest ? "; did you mean \"" : "", nearest ? nearest : "",
+                           nearest ? "\"?" : "");
+        }
+        *engines |= 1u << e;
+    }
+    return true;
+}
+
+/* Texts that need more than a range check. */
+typedef struct texts {
+    const char *engines, *size, *stalls, *window;
+    uint32_t front, silhouette, guard, uniform;
+    bool front_given, silhouette_given, orbit_given, seed_given, only_given;
+} texts;
+
+static bool complete(hs_run_request *r, const texts *t, hs_error *err) {
+    if (!hs_engines_parse(t->engines, &r->engines, err)) return false;
+    if (!hs_pair_parse(t->size, 'x', &r->width, &r->height) || r->width < 16 || r->height < 16 ||
+        r->width > 8192 || r->height > 8192)
+        return hs_fail(err, HS_EXIT_USAGE,
+                       "--size is \"%.40s\"; it should be WIDTHxHEIGHT, 16 to 8192 each, as in "
+                       "768x768",
+                       t->size);
+    if (t->stalls) {
+        uint32_t in, out;
+        if (!hs_pair_parse(t->stalls, ',', &in, &out) || in > 95 || out > 95)
+            return hs_fail(err, HS_EXIT_USAGE,
+                           "--stalls is \"%.40s\"; it should be IN,OUT, each 0 to 95 per cent of "
+                           "the cycles, as in 30,50",
+                           t->stalls);
+        r->stalls.input = (uint8_t)in;
+        r->stalls.output = (uint8_t)out;
+    }
+    r->wave_last = UINT32_MAX;
+    if (t->window && (!hs_pair_parse(t->window, ':', &r->wave_first, &r->wave_last) ||
+                      r->wave_first > r->wave_last))
+        return hs_fail(err, HS_EXIT_USAGE,
+                       "--wave-cycles is \"%.40s\"; it should be FIRST:LAST, cycles of the view, "
+                       "as in 100:2000",
+                       t->window);
+    if (t->window && !r->wave)
+        return hs_fail(err, HS_EXIT_USAGE, "--wave-cycles needs --wave FILE");
+    if (r->wave && !(r->engines >> HS_ENGINE_rtl & 1))
+        return hs_fail(err, HS_EXIT_USAGE, "--wave shows the rtl; add rtl to --engine");
+    if (r->views && t->orbit_given)
+        return hs_fail(err, HS_EXIT_USAGE, "--views and --orbit exclude each other; give one");
+    r->settings = (hs_settings){.front_depth = (uint8_t)t->front,
+                                .silhouette_depth = (uint8_t)t->silhouette,
+                                .uniform = t->uniform != UINT32_MAX,
+                                .guard = t->guard != 0};
+    if (!r->settings.uniform) return true;
+    r->settings.uniform_depth = (uint8_t)t->uniform;
+    r->settings.front_depth = r->settings.silhouette_depth = 0;
+    if (t->front_given || t->silhouette_given)
+        return hs_fail(err, HS_EXIT_USAGE,
+                       "--uniform ignores the view; drop it, or drop --front and --silhouette");
+    if (r->force)
+        return hs_fail(err, HS_EXIT_USAGE, "--uniform refines everything; drop it, or --force");
+    return true;
+}
+
+static enum hs_parsed parse(hs_run_request *r, int argc, char **argv, hs_error *err) {
+    const uint32_t most = 1u << HS_INDEX_BITS;
+    *r = (hs_run_request){.orbit = 1,
+                          .only = UINT32_MAX,
+                          .reference_levels = 4,
+                          .limits = HS_DEFAULT_LIMITS,
+                          .stalls = {.seed = 1}};
+    texts t = {.engines = "golden,rtl",
+               .size = "768x768",
+               .front = 4,
+               .silhouette = 8,
+               .guard = 1,
+               .uniform = UINT32_MAX};
+    const hs_option option[] = {
+        {"orbit", 'n', HS_OPTION_NUMBER, "N", &r->orbit, 1, 65536, &t.orbit_given,
+         "N viewpoints on a circle around the mesh (1)"},
+        {"views", 'v', HS_OPTION_TEXT, "FILE", &r->views, 0, 0, NULL,
+         "viewpoints from a file: `matrix` or `look` lines"},
+        {"view", 0, HS_OPTION_NUMBER, "N", &r->only, 0, 65535, &t.only_given,
+         "only view N of them, from 0"},
+        {"front", 'f', HS_OPTION_NUMBER, "DEPTH", &t.front, 0, HS_MAX_DEPTH, &t.front_given,
+         "steps for front faces in view (4)"},
+        {"silhouette", 's', HS_OPTION_NUMBER, "DEPTH", &t.silhouette, 0, HS_MAX_DEPTH,
+         &t.silhouette_given, "steps for faces at the silhouette (8)"},
+        {"guard", 'g', HS_OPTION_NUMBER, "0|1", &t.guard, 0, 1, NULL,
+         "refine the ring around selected faces as well (1)"},
+        {"uniform", 'u', HS_OPTION_NUMBER, "DEPTH", &t.uniform, 0, HS_MAX_DEPTH, NULL,
+         "so many steps everywhere, whatever the view shows"},
+        {"force", 0, HS_OPTION_TEXT, "FILE", &r->force, 0, 0, NULL,
+         "depths for single faces: lines `FIRST-LAST DEPTH`,\nfaces from 1 as in the mesh"},
+        {"engine", 'e', HS_OPTION_TEXT, "LIST", &t.engines, 0, 0, NULL,
+         "reference, golden, rtl (golden,rtl)"},
+        {"out", 'o', HS_OPTION_TEXT, "DIR", &r->out, 0, 0, NULL,
+         "folder for views, meshes and pictures"},
+        {"json", 'j', HS_OPTION_TEXT, "FILE", &r->json, 0, 0, NULL, "report with all figures"},
+        {"size", 0, HS_OPTION_TEXT, "WxH", &t.size, 0, 0, NULL,
+         "pixels of a picture, and the views' aspect (768x768)"},
+        {"levels", 0, HS_OPTION_NUMBER, "N", &r->reference_levels, 0, 8, NULL,
+         "Catmull-Clark levels of the reference surface that\npictures are compared with (4)"},
+        {"stalls", 0, HS_OPTION_TEXT, "IN,OUT", &t.stalls, 0, 0, NULL,
+         "per cent of the cycles in which rtl's streams pause"},
+        {"seed", 0, HS_OPTION_NUMBER, "N", &r->stalls.seed, 0, UINT32_MAX, NULL,
+         "of the stalls, and of rtl's initial memories (1)"},
+        {"max-vertices", 0, HS_OPTION_NUMBER, "N", &r->limits.vertices, 1, most, NULL,
+         "run-time limit of vertices (524288)"},
+        {"max-quads", 0, HS_OPTION_NUMBER, "N", &r->limits.quads, 1, most, NULL,
+         "run-time limit of active quads (524288)"},
+        {"wave", 0, HS_OPTION_TEXT, "FILE", &r->wave, 0, 0, NULL,
+         "waveform (FST) of rtl; for one view"},
+        {"wave-cycles", 0, HS_OPTION_TEXT, "A:B", &t.window, 0, 0, NULL,
+         "only these cycles, counted from the view's start"},
+        {"quiet", 'q', HS_OPTION_FLAG, NULL, &r->quiet, 0, 0, NULL, "no notes, no progress line"},
+        {0}};
+    int operand;
+    const enum hs_parsed parsed = hs_options_parse(&COMMAND, option, argc, argv, &operand, err);
+    if (parsed != HS_PARSED) return parsed;
+    r->mesh = argv[operand];
+    return complete(r, &t, err) ? HS_PARSED : HS_PARSED_WRONG;
+}
+
+/* --- Before the long work -----------------------------------------------------------------------
+ */
+
+/* Finds out now whether a file could be written later. */
+static bool try_file(const char *path, hs_error *err) {
+    hs_file file;
+    if (!hs_file_create(&file, path, err)) return false;
+    hs_file_abandon(&file);
+    return true;
+}
+
+/* Makes a folder and those above it. */
+static bool make_folder(const char *path, hs_error *err) {
+    char part[4096];
+    if (strlen(path) >= sizeof part - 100)
+        return hs_fail(err, HS_EXIT_FILE, "%.100s...: too long a path", path);
+    for (size_t i = 1; i <= strlen(path); i++)
+        if (path[i] == '/' || path[i] == 0) {
+            memcpy(part, path, i);
+            part[i] = 0;
+            struct stat status;
+            if (mkdir(part, 0777) == 0) continue;
+            const int cause = errno;
+            if (stat(part, &status) == 0 && S_ISDIR(status.st_mode)) continue;
+            return hs_fail(err, HS_EXIT_FILE,
+                           "%.300s: cannot make this folder: %s; choose another with --out", part,
+                           strerror(cause == EEXIST ? ENOTDIR : cause));
+        }
+    return true;
+}
+
+static bool open_views(hs_run *run, hs_error *err) {
+    const hs_run_request *r = run->request;
+    const double aspect = (double)r->width / (double)r->height;
+    if (r->views ? !hs_views_read(&run->views, r->views, aspect, err)
+                 : !hs_views_orbit(&run->views, r->orbit, &run->mesh, aspect, err))
+        return false;
+    if (run->views.count == 0)
+        return hs_fail(err, HS_EXIT_VIEWS,
+                       "%.300s: no views; add a `look` or a `matrix` line, as in "
+                       "docs/command-line.md",
+                       r->views);
+    if (run->views.count > 65536)
+        return hs_fail(err, HS_EXIT_VIEWS, "%.300s: %u views; a stream numbers at most 65536",
+                       r->views, run->views.count);
+    if (r->only != UINT32_MAX && r->only >= run->views.count)
+        return hs_fail(err, HS_EXIT_USAGE, "--view %u: there are views 0 to %u", r->only,
+                       run->views.count - 1);
+    if (r->wave && r->only == UINT32_MAX && run->views.count > 1)
+        return hs_fail(err, HS_EXIT_USAGE, "--wave records one view; choose it with --view N");
+    return true;
+}
+
+static bool prepare(hs_run *run, hs_error *err) {
+    const hs_run_request *r = run->request;
+    if (!hs_mesh_open(&run->mesh, r->mesh, r->quiet, err)) return false;
+    if (r->force && !hs_mesh_force(&run->mesh, r->force, err)) return false;
+    if (!open_views(run, err)) return false;
+    run->depth = hs_view_depth(&r->settings, &run->mesh);
+    if (r->json && !try_file(r->json, err)) return false;
+    if (r->wave && !try_file(r->wave, err)) return false;
+    if (r->out) {
+        char path[4096];
+        if (!make_folder(r->out, err)) return false;
+        snprintf(path, sizeof path, "%s/views.txt", r->out);
+        if (!hs_views_write(&run->views, path, err)) return false;
+        if (r->engines & (1u << HS_ENGINE_golden | 1u << HS_ENGINE_rtl)) {
+            run->pictures =
+                hs_run_pictures_new(&run->mesh, r->width, r->height, r->reference_levels, err);
+            if (!run->pictures) return false;
+        }
+    }
+    run->golden = hs_golden_new(r->limits);
+    if (!run->golden) return hs_fail(err, HS_EXIT_INTERNAL, "no memory for golden");
+    if (r->engines >> HS_ENGINE_rtl & 1) {
+        hs_progress_show(&run->progress, "building the simulation of the rtl");
+        run->rtl = hs_rtl_new(r->limits, r->stalls.seed, err);
+        if (!run->rtl) return false;
+    }
+    const uint32_t count = r->only == UINT32_MAX ? run->views.count : 1;
+    run->view = calloc(count, sizeof *run->view);
+    return run->view || hs_fail(err, HS_EXIT_INTERNAL, "no memory for the reports");
+}
+
+/* --- The run ------------------------------------------------------------------------------------
+ */
+
+/* Stops behind the first view in which engines differ. */
+static bool run_views(hs_run *run, hs_error *err) {
+    const uint32_t only = run->request->only;
+    const uint32_t first = only == UINT32_MAX ? 0 : only;
+    const uint32_t end = only == UINT32_MAX ? run->views.count : only + 1;
+    const double start = hs_seconds();
+    hs_progress_clear(&run->progress);
+    hs_run_table_head(run);
+    bool equal = true;
+    for (uint32_t number = first; number < end && equal; number++) {
+        hs_progress_show(&run->progress, "view %u, %u of %u, %.0f s", number, number - first + 1,
+                         end - first, hs_seconds() - start);
+        hs_run_view *view = &run->view[run->done];
+        const bool good = hs_run_one(run, number, view, err);
+        hs_progress_clear(&run->progress);
+        if (!good) {
+            hs_run_view_free(view);
+            return false;
+        }
+        run->done++;
+        hs_run_table_view(run, view);
+        equal = hs_run_view_equal(view);
+    }
+    run->seconds = hs_seconds() - start;
+    hs_run_table_total(run);
+    return true;
+}
+
+static int exit_code(const hs_run *run) {
+    int code = HS_EXIT_OK;
+    for (uint32_t i = 0; i < run->done; i++) {
+        if (!hs_run_view_equal(&run->view[i])) return HS_EXIT_DIFFERENT;
+        for (int e = 0; e < HS_ENGINES; e++)
+            if (run->view[i].engine[e].status > HS_STATUS_STOPPED) code = HS_EXIT_REFUSED;
+    }
+    return code;
+}
+
+static bool run_all(hs_run *run, hs_error *err) {
+    if (!prepare(run, err) || !run_views(run, err)) return false;
+    const hs_run_request *r = run->request;
+    if (r->json && !hs_report_write(run, err)) return false;
+    if (r->out) printf("folder: %s\n", r->out);
+    if (r->json) printf("report: %s\n", r->json);
+    if (r->wave) printf("waveform: %s\n", r->wave);
+    return true;
+}
+
+int hs_command_run(int argc, char **argv, hs_error *err) {
+    hs_run_request request;
+    const enum hs_parsed parsed = parse(&request, argc, argv, err);
+    if (parsed == HS_PARSED_HELP) return HS_EXIT_OK;
+    if (parsed == HS_PARSED_WRONG) return err->code;
+
+    hs_run run = {.request = &request};
+    hs_progress_start(&run.progress, request.quiet);
+    const bool good = run_all(&run, err);
+    hs_progress_clear(&run.progress);
+    const int code = good ? exit_code(&run) : err->code;
+    for (uint32_t i = 0; i < run.done; i++)
+        hs_run_view_free(&run.view[i]);
+    free(run.view);
+    hs_run_pictures_free(run.pictures);
+    hs_rtl_free(run.rtl);
+    hs_golden_free(run.golden);
+    hs_views_free(&run.views);
+    hs_mesh_free(&run.mesh);
+    return code;
+}

@@ -1,0 +1,16 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * The commands of halfstep. Each gets its part of the command line, argv[0] being its name, does
+ * its work, and returns the exit code. What went wrong is in *err, which main prints if it has a
+ * text; a command may have told it itself.
+ */
+#ifndef HS_COMMANDS_H
+#define HS_COMMANDS_H
+
+#include "error.h"
+
+int hs_command_run(int argc, char **argv, hs_error *err);
+int hs_command_mesh(int argc, char **argv, hs_error *err);
+int hs_command_trace(int argc, char **argv, hs_error *err);
+
+#endif

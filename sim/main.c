@@ -1,0 +1,96 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * halfstep, the program: finds the command, runs it, prints its error, exits with its code.
+ */
+#include <stdio.h>
+#include <string.h>
+
+#include "commands.h"
+#include "definitions.h"
+#include "options.h"
+
+static const struct command {
+    const char *name;
+    int (*run)(int argc, char **argv, hs_error *err);
+    const char *what;
+} COMMANDS[] = {
+    {"run", hs_command_run, "a mesh and viewpoints through the engines: compare, time, show"},
+    {"mesh", hs_command_mesh, "look at meshes, make built-in ones, write OBJ"},
+    {"trace", hs_command_trace, "packets in files: make, check, show as text, build from text"},
+};
+enum { COMMAND_COUNT = sizeof COMMANDS / sizeof *COMMANDS };
+
+static void print_help(void) {
+    printf("halfstep: view-dependent sqrt(2)-subdivision in hardware\n\n"
+           "  halfstep COMMAND [options]\n\n");
+    for (int i = 0; i < COMMAND_COUNT; i++)
+        printf("  %-8s %s\n", COMMANDS[i].name, COMMANDS[i].what);
+    printf("\n"
+           "  halfstep COMMAND --help      explains a command by examples\n"
+           "  halfstep --version\n\n"
+           "To begin with:\n"
+           "  halfstep run shape:hand --orbit 4 --out out/hand\n"
+           "      streams a hand through the rtl from four viewpoints, compares every word\n"
+           "      that comes out with the golden model, draws pictures in out/hand\n"
+           "  halfstep mesh info MESH.obj\n"
+           "      says what a mesh is like, or what is wrong with it\n\n"
+           "Exit codes:\n");
+#define CONSTANT(name, value, what)
+#define RECORD(name, value, what)
+#define STATUS(name, value, what, remedy)
+#define STAGE(name, index, what)
+#define ACTIVITY(name, index, what)
+#define REGISTER(name, address, access, what)
+#define EXIT(name, value, what) printf("  %d  %s\n", value, what);
+#include "definitions.def"
+#undef CONSTANT
+#undef RECORD
+#undef STATUS
+#undef STAGE
+#undef ACTIVITY
+#undef REGISTER
+#undef EXIT
+}
+
+static int fail_command(const char *word, hs_error *err) {
+    const char *name[COMMAND_COUNT + 1] = {NULL};
+    for (int i = 0; i < COMMAND_COUNT; i++)
+        name[i] = COMMANDS[i].name;
+    const char *nearest = hs_nearest(word, name);
+    if (nearest)
+        hs_fail(err, HS_EXIT_USAGE, "no command \"%.40s\"; did you mean \"%s\"?", word, nearest);
+    else
+        hs_fail(err, HS_EXIT_USAGE, "no command \"%.40s\"; `halfstep --help` lists them", word);
+    return err->code;
+}
+
+static int run(int argc, char **argv, hs_error *err) {
+    if (argc < 2) {
+        hs_fail(err, HS_EXIT_USAGE, "which command? `halfstep --help` lists them");
+        return err->code;
+    }
+    if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0 ||
+        strcmp(argv[1], "help") == 0) {
+        print_help();
+        return HS_EXIT_OK;
+    }
+    if (strcmp(argv[1], "--version") == 0) {
+        printf("halfstep %s, stream format %d\n", HS_VERSION, HS_STREAM_VERSION);
+        return HS_EXIT_OK;
+    }
+    for (int i = 0; i < COMMAND_COUNT; i++)
+        if (strcmp(argv[1], COMMANDS[i].name) == 0) return COMMANDS[i].run(argc - 1, argv + 1, err);
+    return fail_command(argv[1], err);
+}
+
+int main(int argc, char **argv) {
+    hs_error err = {0};
+    int code = run(argc, argv, &err);
+    if (err.text[0]) fprintf(stderr, "halfstep: %s\n", err.text);
+    /* A table that nobody could read is not done. */
+    if ((fflush(stdout) != 0 || ferror(stdout)) && code == HS_EXIT_OK) {
+        fprintf(stderr, "halfstep: cannot write to standard output\n");
+        code = HS_EXIT_FILE;
+    }
+    return code;
+}

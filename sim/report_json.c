@@ -1,0 +1,242 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "report_json.h"
+
+#include <jansson.h>
+#include <math.h>
+#include <string.h>
+
+#include "file.h"
+#include "options.h"
+
+/* Jansson's json_*_new return NULL without memory, and setting NULL fails; the report is then
+ * incomplete. One flag collects that, so that the code below reads as the report does. */
+typedef struct report {
+    bool failed;
+} report;
+
+static void set(report *r, json_t *object, const char *key, json_t *value) {
+    if (json_object_set_new(object, key, value) != 0) r->failed = true;
+}
+static void append(report *r, json_t *array, json_t *value) {
+    if (json_array_append_new(array, value) != 0) r->failed = true;
+}
+static void set_count(report *r, json_t *object, const char *key, uint64_t value) {
+    set(r, object, key, json_integer((json_int_t)value));
+}
+static void set_text(report *r, json_t *object, const char *key, const char *text) {
+    set(r, object, key, text ? json_string(text) : json_null());
+}
+/* JSON knows no infinities: null. */
+static void set_real(report *r, json_t *object, const char *key, double value) {
+    set(r, object, key, isfinite(value) ? json_real(value) : json_null());
+}
+static void set_hex(report *r, json_t *object, const char *key, uint32_t value) {
+    char text[11];
+    snprintf(text, sizeof text, "0x%08x", value);
+    set_text(r, object, key, text);
+}
+
+/* --- Settings -----------------------------------------------------------------------------------
+ */
+
+static json_t *settings_of(report *r, const hs_run *run) {
+    const hs_run_request *q = run->request;
+    json_t *s = json_object(), *engines = json_array();
+    set(r, s, "uniform",
+        q->settings.uniform ? json_integer(q->settings.uniform_depth) : json_null());
+    set_count(r, s, "front", q->settings.front_depth);
+    set_count(r, s, "silhouette", q->settings.silhouette_depth);
+    set_count(r, s, "guard", q->settings.guard);
+    set_text(r, s, "force", q->force);
+    set_count(r, s, "depth", run->depth);
+    for (int e = 0; e < HS_ENGINES; e++)
+        if (q->engines >> e & 1) append(r, engines, json_string(hs_engine_name((enum hs_engine)e)));
+    set(r, s, "engines", engines);
+    set(r, s, "size", json_pack("[i,i]", (int)q->width, (int)q->height));
+    set(r, s, "stalls", json_pack("[i,i]", q->stalls.input, q->stalls.output));
+    set_count(r, s, "seed", q->stalls.seed);
+    set_count(r, s, "max_vertices", q->limits.vertices);
+    set_count(r, s, "max_quads", q->limits.quads);
+    return s;
+}
+
+static json_t *mesh_of(report *r, const hs_run *run) {
+    json_t *m = json_object();
+    set_text(r, m, "source", run->request->mesh);
+    set_count(r, m, "vertices", run->mesh.vertices);
+    set_count(r, m, "faces", run->mesh.faces);
+    set_count(r, m, "halfedges", run->mesh.halfedges);
+    return m;
+}
+
+/* --- Views --------------------------------------------------------------------------------------
+ */
+
+static json_t *stages_of(report *r, const hs_run_view *view) {
+    static const char *const activity[HS_ACTIVITIES] = {"busy", "starved", "blocked", "idle"};
+    json_t *stages = json_object();
+    for (uint32_t s = 0; s < HS_STAGES; s++) {
+        json_t *stage = json_object();
+        for (int a = 0; a < HS_ACTIVITIES; a++)
+            set_count(r, stage, activity[a], view->rtl.activity[s][a]);
+        set_count(r, stage, "items", view->rtl.items_in[s]);
+        set_count(r, stage, "bound", view->bound.stage[s]);
+        set(r, stages, hs_stage_name(s), stage);
+    }
+    return stages;
+}
+
+static json_t *engine_of(report *r, const hs_run_view *view, enum hs_engine engine) {
+    const hs_engine_result *result = &view->engine[engine];
+    json_t *e = json_object();
+    set_count(r, e, "vertices", result->vertices);
+    set_count(r, e, "faces", result->faces);
+    set_count(r, e, "triangles", result->triangles);
+    const bool timed = engine == HS_ENGINE_rtl;
+    set(r, e, "cycles", timed ? json_integer((json_int_t)view->rtl.cycles) : json_null());
+    set_text(r, e, "status", hs_status_name(result->status));
+    set(r, e, "position",
+        result->error_position == HS_NO_POSITION ? json_null()
+                                                 : json_integer(result->error_position));
+    set_real(r, e, "seconds", result->seconds);
+    if (result->words) {
+        set_count(r, e, "words", result->words);
+        set_hex(r, e, "digest", result->digest);
+    }
+    if (timed) {
+        set_count(r, e, "first_out", view->rtl.first_out - view->rtl.start);
+        set_count(r, e, "conflicts", view->rtl.conflicts);
+        set(r, e, "ratio",
+            view->bound.total ? json_real((double)view->rtl.cycles / (double)view->bound.total)
+                              : json_null());
+        set(r, e, "stages", stages_of(r, view));
+    }
+    if (engine == HS_ENGINE_reference) {
+        json_t *d = json_object();
+        set_count(r, d, "faces", view->decisions.faces);
+        set_count(r, d, "selected_different", view->decisions.selected_different);
+        set_count(r, d, "refined_different", view->decisions.refined_different);
+        set(r, e, "decisions", d);
+    }
+    return e;
+}
+
+static json_t *generations_of(report *r, const hs_run_view *view) {
+    json_t *generations = json_array();
+    for (uint32_t i = 0; i < view->generations; i++) {
+        const hs_generation *g = &view->generation[i];
+        json_t *o = json_object();
+        set_count(r, o, "active", g->active);
+        set_count(r, o, "selected", g->selected);
+        set_count(r, o, "refined", g->refined);
+        set_count(r, o, "final", g->final);
+        set_count(r, o, "corners", g->corners);
+        set_count(r, o, "vertices", g->vertices);
+        set_count(r, o, "moved", g->moved);
+        append(r, generations, o);
+    }
+    return generations;
+}
+
+static json_t *comparisons_of(report *r, const hs_run_view *view) {
+    json_t *comparisons = json_array();
+    for (uint32_t i = 0; i < view->comparisons; i++) {
+        const hs_comparison *c = &view->comparison[i];
+        json_t *o = json_object();
+        set_text(r, o, "a", hs_engine_name(c->a));
+        set_text(r, o, "b", hs_engine_name(c->b));
+        set_text(r, o, "what", c->what);
+        set_count(r, o, "compared", c->compared);
+        set_count(r, o, "different", c->different);
+        if (strcmp(c->what, "positions") == 0) {
+            const hs_reference_comparison *p = &view->reference;
+            set_real(r, o, "bound", p->bound);
+            set_real(r, o, "largest_distance", p->largest_distance);
+            set_real(r, o, "largest_pixels", p->largest_pixels);
+            set_count(r, o, "components", p->components);
+            set_count(r, o, "components_equal", p->equal);
+        }
+        append(r, comparisons, o);
+    }
+    return comparisons;
+}
+
+static json_t *pictures_of(report *r, const hs_run_pictures_report *report) {
+    json_t *pictures = json_object(), *comparisons = json_array();
+    set_count(r, pictures, "reference_level", report->reference_level);
+    set_count(r, pictures, "reference_faces", report->reference_faces);
+    for (uint32_t i = 0; i < report->comparisons; i++) {
+        const hs_run_picture_comparison *c = &report->comparison[i];
+        json_t *o = json_object();
+        set_text(r, o, "a", c->a);
+        set_text(r, o, "b", c->b);
+        set_text(r, o, "what", c->what);
+        set_count(r, o, "pixels", c->difference.pixels);
+        set_count(r, o, "different", c->difference.different);
+        set_count(r, o, "visible", c->difference.visible);
+        set_real(r, o, "psnr", c->difference.psnr);
+        set_real(r, o, "silhouette_mean", c->difference.mean);
+        set_real(r, o, "silhouette_maximum", c->difference.maximum);
+        append(r, comparisons, o);
+    }
+    set(r, pictures, "comparisons", comparisons);
+    return pictures;
+}
+
+static json_t *view_of(report *r, const hs_run *run, const hs_run_view *view) {
+    json_t *v = json_object(), *matrix = json_array(), *engines = json_object();
+    set_count(r, v, "view", view->number);
+    for (int i = 0; i < 16; i++)
+        append(r, matrix, json_real((double)run->views.view[view->number].matrix[i]));
+    set(r, v, "matrix", matrix);
+    set(r, v, "exponent", json_integer(view->exponent));
+    set_count(r, v, "words_in", view->words_in);
+    set_count(r, v, "bound", view->bound.total);
+    for (int e = 0; e < HS_ENGINES; e++)
+        if (view->engine[e].ran)
+            set(r, engines, hs_engine_name((enum hs_engine)e),
+                engine_of(r, view, (enum hs_engine)e));
+    set(r, v, "engines", engines);
+    set(r, v, "generations", generations_of(r, view));
+    set(r, v, "comparisons", comparisons_of(r, view));
+    if (view->pictures) set(r, v, "pictures", pictures_of(r, view->pictures));
+    return v;
+}
+
+/* --- The file -----------------------------------------------------------------------------------
+ */
+
+bool hs_report_write(const hs_run *run, hs_error *err) {
+    report r = {false};
+    bool equal = true;
+    json_t *root = json_object(), *views = json_array(), *versions = json_object();
+    set_text(&r, versions, "halfstep", HS_VERSION);
+    set_count(&r, versions, "stream", HS_STREAM_VERSION);
+    set(&r, root, "versions", versions);
+    set(&r, root, "mesh", mesh_of(&r, run));
+    set(&r, root, "settings", settings_of(&r, run));
+    for (uint32_t i = 0; i < run->done; i++) {
+        append(&r, views, view_of(&r, run, &run->view[i]));
+        equal = equal && hs_run_view_equal(&run->view[i]);
+    }
+    set_count(&r, root, "views_asked", run->request->only == UINT32_MAX ? run->views.count : 1);
+    set(&r, root, "equal", json_boolean(equal));
+    set_real(&r, root, "seconds", run->seconds);
+    set(&r, root, "views", views);
+
+    hs_file file;
+    bool good =
+        !r.failed || hs_fail(err, HS_EXIT_INTERNAL, "%.300s: no memory for it", run->request->json);
+    if (good && hs_file_create(&file, run->request->json, err)) {
+        /* Nine digits bring every binary32 back. */
+        good = json_dumpf(root, file.stream, JSON_INDENT(1) | JSON_REAL_PRECISION(9)) == 0;
+        fputc('\n', file.stream);
+        good =
+            hs_file_commit(&file, err) &&
+            (good || hs_fail(err, HS_EXIT_FILE, "%.300s: cannot be written", run->request->json));
+    } else {
+        good = false;
+    }
+    json_decref(root);
+    return good;
+}

@@ -1,0 +1,116 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * halfstep run in parts: what it was asked for, what it found out, view by view, and the ways in
+ * which that is told: the table (run_table.c), the JSON report (report_json.h), the folder.
+ *
+ *   options -> hs_run -> [ encode -> every engine -> compare ] per view -> hs_run_view
+ *                                                                   '-> table, folder, report
+ */
+#ifndef HS_RUN_H
+#define HS_RUN_H
+
+#include "bound.h"
+#include "compare.h"
+#include "progress.h"
+#include "reference.h"
+#include "rtl.h"
+#include "run_pictures.h"
+#include "view.h"
+
+/* The engines of this program, in the order in which they run. The cycle-level model has its place
+ * here; this version does not contain it. */
+enum hs_engine {
+    HS_ENGINE_reference,
+    HS_ENGINE_golden,
+    HS_ENGINE_model,
+    HS_ENGINE_rtl,
+    HS_ENGINES
+};
+const char *hs_engine_name(enum hs_engine engine);
+
+/* Reads a list as in "golden,rtl" into a set of bits 1 << engine (HS_EXIT_USAGE). */
+bool hs_engines_parse(const char *list, uint32_t *engines, hs_error *err);
+
+/* What a run was asked for. Text belongs to the command line. */
+typedef struct hs_run_request {
+    const char *mesh, *views, *force, *out, *json, *wave; /* NULL: not given */
+    uint32_t orbit;                                       /* viewpoints, if there is no file */
+    uint32_t only;                                        /* the one view to run, or UINT32_MAX */
+    uint32_t width, height;                               /* pixels */
+    uint32_t engines;                                     /* bits 1 << engine */
+    uint32_t reference_levels;                            /* of the pictures' reference surface */
+    hs_settings settings;
+    hs_limits limits;
+    hs_stalls stalls;
+    uint32_t wave_first, wave_last; /* cycles of the view */
+    bool quiet;
+} hs_run_request;
+
+/* What one engine made of one view. */
+typedef struct hs_engine_result {
+    bool ran;
+    uint32_t status, error_position;
+    uint32_t vertices, faces,
+        triangles; /* sent; of the reference: final faces and their vertices */
+    double seconds;
+    uint64_t words;  /* of the output packet; 0 for the reference */
+    uint32_t digest; /* its CRC-32, all words */
+} hs_engine_result;
+
+/* Two engines compared. It holds if different is 0. */
+typedef struct hs_comparison {
+    enum hs_engine a, b;
+    const char *what; /* "words", "faces", "positions", "pixels" */
+    uint64_t compared, different;
+} hs_comparison;
+
+enum { HS_RUN_COMPARISONS = 16 };
+
+/* Everything known of one view. */
+typedef struct hs_run_view {
+    uint32_t number; /* from 0; TID of its packets */
+    hs_engine_result engine[HS_ENGINES];
+    uint32_t generations;
+    hs_generation *generation; /* golden's; owned */
+    int32_t exponent;
+    size_t words_in;
+    hs_bound bound;
+    hs_rtl_report rtl;                 /* if rtl ran */
+    hs_reference_decisions decisions;  /* if reference ran */
+    hs_reference_comparison reference; /* if reference and golden were compared */
+    uint32_t comparisons;
+    hs_comparison comparison[HS_RUN_COMPARISONS];
+    hs_run_pictures_report *pictures; /* owned; NULL if there are none */
+} hs_run_view;
+
+typedef struct hs_run {
+    const hs_run_request *request;
+    hs_mesh mesh;
+    hs_views views;
+    uint32_t depth; /* that the views ask for */
+    hs_golden *golden;
+    hs_rtl *rtl;               /* NULL unless named */
+    hs_run_pictures *pictures; /* NULL unless there is a folder */
+    hs_progress progress;
+    uint32_t done;     /* views */
+    hs_run_view *view; /* done of them */
+    double seconds;
+} hs_run;
+
+/* Runs one view through the engines and compares. Comparisons that fail are no failure here: they
+ * are in *view, and said on stderr with the command that reruns this view. False: an engine broke
+ * down, memory, files. *view is owned by the caller either way. */
+bool hs_run_one(hs_run *run, uint32_t number, hs_run_view *view, hs_error *err);
+void hs_run_view_free(hs_run_view *view);
+bool hs_run_view_equal(const hs_run_view *view);
+
+/* Says on stderr what differs in a view and prints the command that runs it alone, with a waveform
+ * of the cycles around the difference. cycle: from the view's start; UINT64_MAX: unknown. */
+void hs_run_print_rerun(const hs_run *run, uint32_t number, uint64_t cycle);
+
+/* The table on stdout: a head, a line a view, totals. */
+void hs_run_table_head(const hs_run *run);
+void hs_run_table_view(const hs_run *run, const hs_run_view *view);
+void hs_run_table_total(const hs_run *run);
+
+#endif

@@ -1,0 +1,197 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * What a run shows on the terminal: a line a view, totals, and, when engines differ, the command
+ * that runs just that view.
+ */
+#include <string.h>
+
+#include "run.h"
+
+/* The engine whose counts the table shows: what golden says holds. */
+static const hs_engine_result *shown_engine(const hs_run_view *view) {
+    static const enum hs_engine order[] = {HS_ENGINE_golden, HS_ENGINE_model, HS_ENGINE_rtl};
+    for (int i = 0; i < 3; i++)
+        if (view->engine[order[i]].ran) return &view->engine[order[i]];
+    return &view->engine[HS_ENGINE_reference];
+}
+
+static bool has_rtl(const hs_run *run) {
+    return run->request->engines >> HS_ENGINE_rtl & 1;
+}
+
+/* --- The table ----------------------------------------------------------------------------------
+ */
+
+void hs_run_table_head(const hs_run *run) {
+    const hs_run_request *r = run->request;
+    char how[80], engines[80] = "";
+    if (r->settings.uniform)
+        snprintf(how, sizeof how, "uniform %u", r->settings.uniform_depth);
+    else
+        snprintf(how, sizeof how, "front %u, silhouette %u, guard %d", r->settings.front_depth,
+                 r->settings.silhouette_depth, r->settings.guard);
+    for (int e = 0; e < HS_ENGINES; e++)
+        if (r->engines >> e & 1)
+            snprintf(engines + strlen(engines), sizeof engines - strlen(engines), "%s%s",
+                     *engines ? ", " : "", hs_engine_name((enum hs_engine)e));
+    printf("%s: %u faces, %u vertices; %s; %s\n\n", r->mesh, run->mesh.faces, run->mesh.vertices,
+           how, engines);
+    printf("view     faces  vertices     cycles  c/face      bound  ratio  kHz  result\n");
+    fflush(stdout);
+}
+
+/* Cycles, their ratios and speed; dashes where nothing was timed. */
+static void print_figures(const hs_run *run, uint64_t faces, uint64_t vertices, uint64_t cycles,
+                          uint64_t bound, double seconds) {
+    printf("%9llu %9llu", (unsigned long long)faces, (unsigned long long)vertices);
+    if (has_rtl(run) && cycles) {
+        printf(" %10llu", (unsigned long long)cycles);
+        if (faces)
+            printf(" %7.2f", (double)cycles / (double)faces);
+        else
+            printf(" %7s", "-");
+        printf(" %10llu", (unsigned long long)bound);
+        if (bound)
+            printf(" %6.2f", (double)cycles / (double)bound);
+        else
+            printf(" %6s", "-");
+        printf(" %4.0f", (double)cycles / (seconds > 1e-9 ? seconds : 1e-9) / 1e3);
+    } else {
+        printf(" %10s %7s %10llu %6s %4s", "-", "-", (unsigned long long)bound, "-", "-");
+    }
+}
+
+void hs_run_table_view(const hs_run *run, const hs_run_view *view) {
+    const hs_engine_result *e = shown_engine(view);
+    printf("%4u ", view->number);
+    print_figures(run, e->faces, e->vertices, view->rtl.cycles, view->bound.total,
+                  view->engine[HS_ENGINE_rtl].seconds);
+    const char *result = view->comparisons ? "equal" : "done";
+    const bool equal = hs_run_view_equal(view);
+    if (!equal)
+        result = "DIFFER";
+    else if (e->status == HS_STATUS_STOPPED)
+        result = "stopped";
+    else if (e->status != HS_STATUS_OK)
+        result = "REFUSED";
+    printf("  %s\n", result);
+    if (equal && e->status != HS_STATUS_OK) {
+        printf("     note: %s: %s", hs_status_name(e->status), hs_status_what(e->status));
+        if (e->error_position != HS_NO_POSITION) printf(", at word %u", e->error_position);
+        printf("\n           %s\n", hs_status_remedy(e->status));
+    }
+    fflush(stdout);
+}
+
+void hs_run_table_total(const hs_run *run) {
+    uint64_t faces = 0, vertices = 0, cycles = 0, bound = 0, compared = 0, different = 0;
+    uint64_t other = 0, decided = 0;
+    double seconds = 0;
+    for (uint32_t i = 0; i < run->done; i++) {
+        const hs_run_view *view = &run->view[i];
+        const hs_engine_result *e = shown_engine(view);
+        faces += e->faces;
+        vertices += e->vertices;
+        cycles += view->rtl.cycles;
+        bound += view->bound.total;
+        seconds += view->engine[HS_ENGINE_rtl].seconds;
+        other += view->decisions.refined_different;
+        decided += view->decisions.faces;
+        for (uint32_t c = 0; c < view->comparisons; c++)
+            if (strcmp(view->comparison[c].what, "words") == 0) {
+                compared += view->comparison[c].compared;
+                different += view->comparison[c].different;
+            }
+    }
+    if (run->done > 1) {
+        printf(" all ");
+        print_figures(run, faces, vertices, cycles, bound, seconds);
+        printf("\n");
+    }
+    printf("\n%u view%s in %.1f s", run->done, run->done == 1 ? "" : "s", run->seconds);
+    if (compared && different == 0)
+        printf("; all %llu words of rtl equal golden's", (unsigned long long)compared);
+    else if (compared)
+        printf("; %llu of %llu words of rtl differ from golden's", (unsigned long long)different,
+               (unsigned long long)compared);
+    printf("\n");
+    double farthest = 0, bound_distance = 0, pixels = 0;
+    uint64_t components = 0, equal = 0;
+    for (uint32_t i = 0; i < run->done; i++) {
+        const hs_reference_comparison *c = &run->view[i].reference;
+        if (c->bound > 0 && c->largest_distance / c->bound > farthest) {
+            farthest = c->largest_distance / c->bound;
+            bound_distance = c->bound;
+        }
+        if (c->largest_pixels > pixels) pixels = c->largest_pixels;
+        components += c->components;
+        equal += c->equal;
+    }
+    if (components)
+        printf("reference: golden is at most %.2g pixels (of 1024) away, %.0f%% of the bound of "
+               "%.2g;\n%.1f%% of its components are the rounded double; %llu of %llu faces would "
+               "be decided\notherwise in doubles\n",
+               pixels, 100 * farthest, bound_distance, 100 * (double)equal / (double)components,
+               (unsigned long long)other, (unsigned long long)decided);
+}
+
+/* --- Running one view again ---------------------------------------------------------------------
+ */
+
+/* Prints " word", quoted for a shell where needed. */
+static void print_word(const char *word) {
+    static const char plain[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
+                                "_-./:,+=@%";
+    fputc(' ', stderr);
+    if (*word && word[strspn(word, plain)] == 0) {
+        fputs(word, stderr);
+        return;
+    }
+    fputc('\'', stderr);
+    for (; *word; word++)
+        if (*word == '\'')
+            fputs("'\\''", stderr);
+        else
+            fputc(*word, stderr);
+    fputc('\'', stderr);
+}
+
+void hs_run_print_rerun(const hs_run *run, uint32_t number, uint64_t cycle) {
+    const hs_run_request *r = run->request;
+    fprintf(stderr, "to run this view alone%s:\n  build/halfstep run",
+            cycle == UINT64_MAX ? "" : ", with a waveform of the cycles around");
+    print_word(r->mesh);
+    if (r->views) {
+        fputs(" --views", stderr);
+        print_word(r->views);
+    } else {
+        fprintf(stderr, " --orbit %u", r->orbit);
+    }
+    fprintf(stderr, " --view %u", number);
+    if (r->settings.uniform)
+        fprintf(stderr, " --uniform %u", r->settings.uniform_depth);
+    else
+        fprintf(stderr, " --front %u --silhouette %u", r->settings.front_depth,
+                r->settings.silhouette_depth);
+    fprintf(stderr, " --guard %d", r->settings.guard);
+    if (r->force) {
+        fputs(" --force", stderr);
+        print_word(r->force);
+    }
+    fprintf(stderr, " --size %ux%u --engine ", r->width, r->height);
+    const char *separator = "";
+    for (int e = 0; e < HS_ENGINES; e++)
+        if (r->engines >> e & 1) {
+            fprintf(stderr, "%s%s", separator, hs_engine_name((enum hs_engine)e));
+            separator = ",";
+        }
+    if (r->stalls.input || r->stalls.output)
+        fprintf(stderr, " --stalls %u,%u", r->stalls.input, r->stalls.output);
+    fprintf(stderr, " --seed %u --max-vertices %u --max-quads %u", r->stalls.seed,
+            r->limits.vertices, r->limits.quads);
+    if (cycle != UINT64_MAX)
+        fprintf(stderr, " --wave view-%03u.fst --wave-cycles %llu:%llu", number,
+                (unsigned long long)(cycle < 2000 ? 0 : cycle - 2000),
+                (unsigned long long)(cycle + 200));
+    fputc('\n', stderr);
+}

@@ -1,0 +1,297 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * One view: encode the packet, run the engines on it, compare them, keep what the reports need.
+ */
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "file.h"
+#include "obj.h"
+#include "run.h"
+
+/* What lives only as long as the view is in work. */
+typedef struct work {
+    hs_run *run;
+    hs_run_view *view;
+    hs_packet in, packet[HS_ENGINES];
+    hs_output output[HS_ENGINES];
+    hs_golden_report golden;
+    hs_reference reference;
+} work;
+
+static const enum hs_engine PIPELINES[] = {HS_ENGINE_golden, HS_ENGINE_rtl};
+enum { PIPELINE_COUNT = sizeof PIPELINES / sizeof *PIPELINES };
+
+static bool wants(const work *w, enum hs_engine engine) {
+    return w->run->request->engines >> engine & 1;
+}
+
+static bool accepted(const hs_golden_report *report) {
+    return report->status == HS_STATUS_OK || report->status == HS_STATUS_STOPPED;
+}
+
+/* --- Engines ------------------------------------------------------------------------------------
+ */
+
+/* Golden runs for every view: its counts give the bound, its decisions lead the reference. It is
+ * an engine of the run, with a stream to compare and to report, only if it was named. */
+static bool run_golden(work *w, hs_error *err) {
+    hs_run_view *view = w->view;
+    const double start = hs_seconds();
+    if (!hs_golden_run(w->run->golden, &w->in, &w->packet[HS_ENGINE_golden], &w->golden, err))
+        return false;
+    view->engine[HS_ENGINE_golden].seconds = hs_seconds() - start;
+    view->exponent = w->golden.exponent;
+    view->generations = w->golden.generations;
+    const size_t bytes = w->golden.generations * sizeof *view->generation;
+    view->generation = malloc(bytes ? bytes : 1);
+    if (!view->generation) return hs_fail(err, HS_EXIT_INTERNAL, "no memory for the report");
+    memcpy(view->generation, w->golden.generation, bytes);
+    view->bound =
+        hs_bound_of(&w->run->request->settings, w->run->depth, view->generation, view->generations,
+                    w->run->mesh.vertices, w->in.words, w->packet[HS_ENGINE_golden].words);
+    return true;
+}
+
+static bool run_rtl(work *w, hs_error *err) {
+    const hs_run_request *request = w->run->request;
+    const uint64_t now = hs_rtl_cycle(w->run->rtl);
+    if (request->wave) {
+        char partial[4096];
+        snprintf(partial, sizeof partial, "%s.partial", request->wave);
+        if (!hs_rtl_trace(w->run->rtl, partial, now + request->wave_first, now + request->wave_last,
+                          err))
+            return false;
+    }
+    const double start = hs_seconds();
+    const bool good = hs_rtl_run(w->run->rtl, &w->in, request->stalls, &w->packet[HS_ENGINE_rtl],
+                                 &w->view->rtl, err);
+    w->view->engine[HS_ENGINE_rtl].seconds = hs_seconds() - start;
+    if (request->wave) {
+        char partial[4096];
+        snprintf(partial, sizeof partial, "%s.partial", request->wave);
+        hs_rtl_trace(w->run->rtl, NULL, 0, 0, err);
+        if (rename(partial, request->wave) != 0 && good)
+            return hs_fail(err, HS_EXIT_FILE, "%.300s: cannot be written; choose another place",
+                           request->wave);
+    }
+    if (!good) hs_run_print_rerun(w->run, w->view->number, hs_rtl_cycle(w->run->rtl) - now);
+    return good;
+}
+
+/* The reference has no stream of its own: it replays what golden decided, in doubles. */
+static bool run_reference(work *w, hs_error *err) {
+    hs_engine_result *result = &w->view->engine[HS_ENGINE_reference];
+    const hs_run *run = w->run;
+    result->ran = true;
+    result->status = w->golden.status;
+    result->error_position = w->golden.error_position;
+    if (!accepted(&w->golden)) return true;
+    double matrix[16];
+    for (int i = 0; i < 16; i++)
+        matrix[i] = (double)run->views.view[w->view->number].matrix[i];
+    const double start = hs_seconds();
+    hs_reference *reference = &w->reference;
+    if (!hs_reference_new(reference, &run->mesh, matrix, err) ||
+        !hs_reference_replay(reference, &run->request->settings, &w->golden, &w->view->decisions,
+                             err))
+        return false;
+    result->seconds = hs_seconds() - start;
+    uint8_t *used = calloc(reference->vertices ? reference->vertices : 1, 1);
+    if (!used) return hs_fail(err, HS_EXIT_INTERNAL, "no memory for the reference's count");
+    result->faces = reference->finals;
+    for (uint32_t f = 0; f < reference->finals; f++) {
+        const hs_reference_list v = reference->final[f].v;
+        result->triangles += v.count == 3;
+        for (uint32_t i = 0; i < v.count; i++) {
+            uint8_t *mark = &used[reference->final_vertex[v.first + i]];
+            result->vertices += !*mark;
+            *mark = 1;
+        }
+    }
+    free(used);
+    return true;
+}
+
+/* Decodes what a pipeline sent. */
+static bool finish_pipeline(work *w, enum hs_engine engine, hs_error *err) {
+    hs_engine_result *result = &w->view->engine[engine];
+    const hs_packet *packet = &w->packet[engine];
+    hs_output *output = &w->output[engine];
+    result->ran = true;
+    result->words = packet->words;
+    result->digest = hs_crc(0, packet->word, packet->words);
+    hs_error why = {0};
+    if (!hs_output_decode(output, packet, &why))
+        return hs_fail(err, why.code, "view %u: what %s sent is no output packet: %s",
+                       w->view->number, hs_engine_name(engine), why.text);
+    result->status = output->status;
+    result->error_position = output->error_position;
+    result->vertices = output->vertices;
+    result->faces = output->faces;
+    result->triangles = output->triangles;
+    return true;
+}
+
+/* --- Comparisons --------------------------------------------------------------------------------
+ */
+
+static void add_comparison(hs_run_view *view, enum hs_engine a, enum hs_engine b, const char *what,
+                           uint64_t compared, uint64_t different) {
+    if (view->comparisons == HS_RUN_COMPARISONS) return;
+    view->comparison[view->comparisons++] = (hs_comparison){a, b, what, compared, different};
+}
+
+static bool compare_words(work *w) {
+    const hs_packet *golden = &w->packet[HS_ENGINE_golden], *rtl = &w->packet[HS_ENGINE_rtl];
+    const hs_word_comparison words = hs_compare_words(golden, rtl);
+    add_comparison(w->view, HS_ENGINE_golden, HS_ENGINE_rtl, "words", words.compared,
+                   words.different);
+    if (words.different == 0) return true;
+    char text[500];
+    hs_compare_describe(golden, rtl, words.first, "rtl", text, sizeof text);
+    const uint64_t cycle = hs_rtl_word_cycle(w->run->rtl, words.first);
+    hs_progress_clear(&w->run->progress);
+    fprintf(stderr, "view %u: rtl and golden differ in %llu of %llu words, first in\n  %s\n",
+            w->view->number, (unsigned long long)words.different,
+            (unsigned long long)words.compared, text);
+    if (cycle != UINT64_MAX)
+        fprintf(stderr, "  which left in cycle %llu of the view\n", (unsigned long long)cycle);
+    hs_run_print_rerun(w->run, w->view->number, cycle);
+    return false;
+}
+
+static void compare_reference(work *w) {
+    hs_run_view *view = w->view;
+    hs_reference_comparison *c = &view->reference;
+    hs_reference_compare(&w->reference, &w->output[HS_ENGINE_golden], c);
+    add_comparison(view, HS_ENGINE_reference, HS_ENGINE_golden, "faces", c->faces,
+                   c->different_faces);
+    add_comparison(view, HS_ENGINE_reference, HS_ENGINE_golden, "positions", c->vertices,
+                   (uint64_t)c->different_vertices + c->beyond_bound);
+    if (c->different_faces + c->different_vertices + c->beyond_bound == 0) return;
+    hs_progress_clear(&w->run->progress);
+    fprintf(stderr,
+            "view %u: reference and golden differ: %u of %u faces, %u of %u vertices, %u beyond "
+            "the bound; first\n  %s\n",
+            view->number, c->different_faces, c->faces, c->different_vertices, c->vertices,
+            c->beyond_bound, c->first);
+    hs_run_print_rerun(w->run, view->number, UINT64_MAX);
+}
+
+/* --- The view's folder --------------------------------------------------------------------------
+ */
+
+static enum hs_engine engine_of(const char *name) {
+    for (enum hs_engine e = 0; e < HS_ENGINES; e++)
+        if (strcmp(name, hs_engine_name(e)) == 0) return e;
+    return HS_ENGINES;
+}
+
+static bool write_pictures(work *w, const char *folder, hs_error *err) {
+    hs_run_view *view = w->view;
+    hs_run_output output[PIPELINE_COUNT];
+    uint32_t outputs = 0;
+    for (int i = 0; i < PIPELINE_COUNT; i++)
+        if (wants(w, PIPELINES[i]))
+            output[outputs++] =
+                (hs_run_output){hs_engine_name(PIPELINES[i]), &w->output[PIPELINES[i]]};
+    char title[200];
+    const char *name = strrchr(w->run->request->mesh, '/');
+    snprintf(title, sizeof title, "%.100s, view %u", name ? name + 1 : w->run->request->mesh,
+             view->number);
+    view->pictures = calloc(1, sizeof *view->pictures);
+    if (!view->pictures) return hs_fail(err, HS_EXIT_INTERNAL, "no memory for the pictures");
+    if (!hs_run_pictures_view(w->run->pictures, folder, title,
+                              w->run->views.view[view->number].matrix, output, outputs,
+                              view->pictures, err))
+        return false;
+    for (uint32_t i = 0; i < view->pictures->comparisons; i++) {
+        const hs_run_picture_comparison *c = &view->pictures->comparison[i];
+        const enum hs_engine a = engine_of(c->a), b = engine_of(c->b);
+        if (!c->must_equal || a == HS_ENGINES || b == HS_ENGINES) continue;
+        add_comparison(view, a, b, "pixels", c->difference.pixels, c->difference.different);
+        if (c->difference.different == 0) continue;
+        hs_progress_clear(&w->run->progress);
+        fprintf(stderr, "view %u: pictures \"%s\" of %s and %s differ: %s\n", view->number, c->what,
+                c->a, c->b, c->first);
+    }
+    return true;
+}
+
+static bool write_folder(work *w, hs_error *err) {
+    hs_run_view *view = w->view;
+    char folder[4096], path[4200];
+    snprintf(folder, sizeof folder, "%s/view-%03u", w->run->request->out, view->number);
+    mkdir(folder, 0777); /* if it fails, the first file in it says why */
+    snprintf(path, sizeof path, "%s/input.hss", folder);
+    hs_file file;
+    if (!hs_file_create(&file, path, err)) return false;
+    if (!hs_frame_write(file.stream, &w->in, path, err)) {
+        hs_file_abandon(&file);
+        return false;
+    }
+    if (!hs_file_commit(&file, err)) return false;
+    for (int i = 0; i < PIPELINE_COUNT; i++)
+        if (view->engine[PIPELINES[i]].ran) {
+            snprintf(path, sizeof path, "%s/mesh.obj", folder);
+            if (!hs_obj_write_output(path, &w->output[PIPELINES[i]], err)) return false;
+            return write_pictures(w, folder, err);
+        }
+    return true;
+}
+
+/* --- One view -----------------------------------------------------------------------------------
+ */
+
+static bool work_on(work *w, hs_error *err) {
+    hs_run *run = w->run;
+    hs_run_view *view = w->view;
+    if (!hs_packet_encode(&w->in, view->number, &run->mesh, run->views.view[view->number].matrix,
+                          &run->request->settings, err))
+        return false;
+    view->words_in = w->in.words;
+    if (!run_golden(w, err)) return false;
+    if (wants(w, HS_ENGINE_golden) && !finish_pipeline(w, HS_ENGINE_golden, err)) return false;
+    if (wants(w, HS_ENGINE_rtl)) {
+        if (!run_rtl(w, err)) return false;
+        if (wants(w, HS_ENGINE_golden) && !compare_words(w)) {
+            /* What differs may be no packet at all; what it counts is told all the same. */
+            hs_error ignored;
+            finish_pipeline(w, HS_ENGINE_rtl, &ignored);
+            return true;
+        }
+        if (!finish_pipeline(w, HS_ENGINE_rtl, err)) return false;
+    }
+    if (wants(w, HS_ENGINE_reference)) {
+        if (!run_reference(w, err)) return false;
+        if (wants(w, HS_ENGINE_golden) && accepted(&w->golden)) compare_reference(w);
+    }
+    return run->request->out == NULL || write_folder(w, err);
+}
+
+bool hs_run_one(hs_run *run, uint32_t number, hs_run_view *view, hs_error *err) {
+    *view = (hs_run_view){.number = number};
+    work w = {.run = run, .view = view};
+    const bool good = work_on(&w, err);
+    hs_packet_free(&w.in);
+    for (int e = 0; e < HS_ENGINES; e++) {
+        hs_packet_free(&w.packet[e]);
+        hs_output_free(&w.output[e]);
+    }
+    hs_reference_free(&w.reference);
+    return good;
+}
+
+void hs_run_view_free(hs_run_view *view) {
+    free(view->generation);
+    free(view->pictures);
+    *view = (hs_run_view){0};
+}
+
+bool hs_run_view_equal(const hs_run_view *view) {
+    for (uint32_t i = 0; i < view->comparisons; i++)
+        if (view->comparison[i].different) return false;
+    return true;
+}
