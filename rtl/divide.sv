@@ -22,35 +22,16 @@ module divide (
     output logic signed [31:0] y_o
 );
 
-  // --- Table of n: s, and r as U(47.0) -----------------------------------------------------------
-  logic [4:0] shift_table[0:255];
-  logic [46:0] reciprocal_table[0:255];
-
-  initial begin
-    for (int n = 0; n < 256; n++) begin
-      logic [63:0] d;
-      logic [4:0]  s;
-      d = n == 0 ? 64'd1 : 64'(n * n);
-      s = 5'd0;
-      for (int k = 0; k < 16; k++)
-        if (d <= 64'd32768) begin
-          d = d << 1;
-          s = s + 5'd1;
-        end
-      shift_table[n] = s;
-      reciprocal_table[n] = 47'((64'h4000_0000_0000_0000 + d - 64'd1) / d);
-    end
-  end
-
   // --- 1: magnitude, scaled ----------------------------------------------------------------------
   logic valid_1, negative_1;
   logic [46:0] a_1, r_1;  // U(47.0)
   logic [16:0] d_1;       // U(17.0)
   logic [46:0] magnitude;
   logic [4:0] s;
+  logic [46:0] r;
 
   assign magnitude = x_i[47] ? -x_i[46:0] : x_i[46:0];
-  assign s = shift_table[n_i];
+  assign {s, r} = hs_pkg::RECIPROCALS[52*32'(n_i)+:52];
 
   // --- 2: partial products; the lowest's low bits only matter by their carry ----------------------
   logic valid_2, negative_2;
@@ -78,7 +59,7 @@ module divide (
     if (valid_i) begin
       negative_1 <= x_i[47];
       a_1 <= magnitude << s;
-      r_1 <= reciprocal_table[n_i];
+      r_1 <= r;
       d_1 <= (17'(n_i) * 17'(n_i)) << s;
     end
     if (valid_1) begin

@@ -61,6 +61,25 @@ static uint32_t count(enum kind kind) {
     return n;
 }
 
+/* The table of rtl/divide.sv: for each n its s, with 2^15 < n^2 2^s <= 2^16, and r = ceil(2^62 / d)
+ * for d = n^2 2^s; n = 0 stands for nothing. Entry n of the table is at bit 52 n. */
+static void write_reciprocals(FILE *out) {
+    fputs("\n  // --- Division by n^2: {s[4:0], r[46:0]} for n from 255 down to 0; see divide.sv\n"
+          "  localparam logic [52*256-1:0] RECIPROCALS = {\n",
+          out);
+    for (int n = 255; n >= 0; n--) {
+        uint64_t d = n ? (uint64_t)n * (uint64_t)n : 1, s = 0;
+        while (d << s <= 32768)
+            s++;
+        d <<= s;
+        const uint64_t r = ((UINT64_C(1) << 62) + d - 1) / d;
+        fprintf(out, "%s52'h%013" PRIx64 "%s", n % 4 == 3 ? "    " : " ", s << 47 | r,
+                n == 0       ? "\n  };\n"
+                : n % 4 == 0 ? ",\n"
+                             : ",");
+    }
+}
+
 static void write_package(FILE *out) {
     fputs("// SPDX-License-Identifier: Apache-2.0\n"
           "//\n"
@@ -88,6 +107,7 @@ static void write_package(FILE *out) {
                     "  // how many there are\n  localparam logic [31:0] %s = 32'd%" PRIu32 ";\n",
                     k == STAGES ? "STAGES" : "ACTIVITIES", count((enum kind)k));
     }
+    write_reciprocals(out);
     fputs("\nendpackage\n/* verilator lint_on UNUSEDPARAM */\n", out);
 }
 
