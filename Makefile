@@ -2,6 +2,26 @@
 # `make help` lists what there is to make.
 
 BUILD     := build
+.DEFAULT_GOAL := all
+.SECONDARY:
+MAKEFLAGS += -j$(shell nproc)
+
+# What a bare Debian 12 misses is installed before anything else is looked at: packages.mk is
+# included, so make brings it up to date first and then reads everything again.
+PACKAGES := gcc g++ make git verilator yosys libosmesa6-dev libosd-dev libcmocka-dev libjansson-dev \
+            libpng-dev zlib1g-dev clang-format cppcheck
+$(BUILD)/packages.mk:
+	@mkdir -p $(@D)
+	@missing=; for p in $(PACKAGES); do \
+	    dpkg-query -W -f='$${Status}' $$p 2>/dev/null | grep -q 'ok installed' || missing="$$missing $$p"; done; \
+	if [ -n "$$missing" ]; then echo "installing the packages that are missing:$$missing"; \
+	    test $$(id -u) = 0 || sudo=sudo; \
+	    DEBIAN_FRONTEND=noninteractive; export DEBIAN_FRONTEND; \
+	    $$sudo apt-get -qq update && $$sudo apt-get -qq install -y --no-install-recommends $$missing >/dev/null; fi
+	@echo "# packages are there: $(PACKAGES)" >$@
+ifeq ($(filter clean help,$(MAKECMDGOALS)),)
+include $(BUILD)/packages.mk
+endif
 CC        := gcc
 CXX       := g++
 OPT       := -O2
@@ -17,7 +37,7 @@ TESTS     := $(patsubst tests/%.c,$(BUILD)/%,$(wildcard tests/test_*.c))
 .PHONY: all
 all: $(BUILD)/halfstep ## build/halfstep, the program (the default)
 
-$(BUILD)/%.o: %.c | $(BUILD)/packages
+$(BUILD)/%.o: %.c
 	@mkdir -p $(@D)
 	$(CC) $(CFLAGS) -c $< -o $@
 
@@ -29,7 +49,7 @@ $(BUILD)/libsim.a: $(SIM_OBJ)
 
 # The RTL's package of constants is written from definitions.def and kept in the tree, so that
 # rtl/ can be used without building anything.
-$(BUILD)/gen_pkg: sim/gen_pkg.c model/definitions.def | $(BUILD)/packages
+$(BUILD)/gen_pkg: sim/gen_pkg.c model/definitions.def
 	$(CC) $(CFLAGS) $< -o $@
 
 # Copied only if they differ, so that timestamps stay.
@@ -44,24 +64,54 @@ $(BUILD)/%: $(BUILD)/tests/%.o $(BUILD)/libsim.a $(BUILD)/libhalfstep.a
 
 # Programs that ask OpenSubdiv for a second opinion, through tests/osd.h.
 OSD_USERS := $(BUILD)/test_reference
-$(BUILD)/tests/osd.o: tests/osd.cpp | $(BUILD)/packages
+$(BUILD)/tests/osd.o: tests/osd.cpp
 	@mkdir -p $(@D)
 	$(CXX) $(CXXFLAGS) -c $< -o $@
 $(OSD_USERS): $(BUILD)/tests/osd.o
 $(OSD_USERS): LIBS += -losdCPU
 
-include tests/fp.mk tests/receive.mk
+include tests/fp.mk tests/receive.mk tests/bench.mk
 
-# What a bare Debian 12 misses; the stamp keeps later runs from asking again.
-PACKAGES := gcc g++ make verilator yosys libosmesa6-dev libosd-dev libcmocka-dev libjansson-dev \
-            libpng-dev zlib1g-dev clang-format cppcheck
-$(BUILD)/packages:
-	@mkdir -p $(@D)
-	@missing=; for p in $(PACKAGES); do \
-	    dpkg-query -W -f='$${Status}' $$p 2>/dev/null | grep -q 'ok installed' || missing="$$missing $$p"; done; \
-	if [ -n "$$missing" ]; then echo "installing the packages that are missing:$$missing"; \
-	    apt-get -qq update && apt-get -qq install -y --no-install-recommends $$missing >/dev/null; fi
-	@touch $@
+include sim/rtl.mk sim/pictures.mk
 
-include sim/rtl.mk
+# --- What there is to do --------------------------------------------------------------------------
+.PHONY: run test lint format clean help
+run: $(BUILD)/halfstep ## the main job: hand and monster head, 8 views each, through the RTL
+	@$< run shape:hand --orbit 8 --out out/hand --json out/hand/run.json
+	@$< run shape:monster --orbit 8 --out out/monster --json out/monster/run.json
+
+test: $(BUILD)/halfstep $(TESTS) ## all tests; logs in build/test-logs
+	@tests/run $(TESTS)
+
+LINT_C := $(wildcard model/*.[ch] sim/*.[ch] tests/*.[ch])
+lint: rtl/hs_pkg.sv docs/reference.md ## Verilator, Yosys, clang-format, cppcheck, licence lines
+	@for r in 1 2 4; do echo "verilator -Wall, $$r records a beat"; \
+	    verilator --lint-only -Wall -GPORT_RECORDS=$$r -f rtl/files.f --top-module halfstep || exit 1; done
+	@echo "yosys check"
+	@yosys -q -p "read_verilog -sv $$(tr '\n' ' ' <rtl/files.f); \
+	    hierarchy -check -top halfstep -chparam VERTICES 1024 -chparam QUADS 1024; proc; check -assert" \
+	    2>&1 | { grep -v 'Replacing memory' || true; }
+	@test "$$(grep -v hs_pkg rtl/files.f)" = "$$(ls rtl/*.sv | grep -v hs_pkg)" || \
+	    { echo "rtl/files.f does not list every module"; exit 1; }
+	@echo "clang-format"
+	@clang-format --dry-run -Werror $(LINT_C) $(wildcard sim/*.cpp tests/*.cpp)
+	@echo "cppcheck"
+	@cppcheck -q --error-exitcode=1 --std=c11 --enable=warning,performance,portability --inline-suppr \
+	    --suppress=missingIncludeSystem -Imodel -Isim $(wildcard model/*.c sim/*.c)
+	@echo "licence lines"
+	@! git ls-files model sim rtl tests Makefile | grep -E '\.(c|h|cpp|sv|mk|def)$$|Makefile|tests/run' | \
+	    xargs grep -L SPDX-License-Identifier | grep .
+	@git diff --exit-code --stat rtl/hs_pkg.sv docs/reference.md || \
+	    { echo "generated files differ from model/definitions.def: commit them"; exit 1; }
+	@echo "lint: clean"
+
+format: ## clang-format, in place
+	clang-format -i $(LINT_C) $(wildcard sim/*.cpp tests/*.cpp)
+
+clean: ## removes build/ and out/
+	rm -rf $(BUILD) out
+
+help: ## this list
+	@grep -hE '^[a-z]+:.*##' $(MAKEFILE_LIST) | sort -u | sed -E 's/^([a-z]+):.*## (.*)/  make \1\t\2/' | expand -t 18
+
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

@@ -11,7 +11,7 @@ VERILATED_FLAGS = $(CXXFLAGS) -isystem $(VERILATOR_INCLUDE) -isystem $(VERILATOR
 
 # What every Verilated model is linked with.
 RUNTIME := $(addprefix $(BUILD)/verilated/,verilated.o verilated_threads.o verilated_fst_c.o)
-$(RUNTIME): $(BUILD)/verilated/%.o: | $(BUILD)/packages
+$(RUNTIME): $(BUILD)/verilated/%.o:
 	@mkdir -p $(@D)
 	$(CXX) -std=c++17 -O2 -DVM_TRACE=1 -DVM_TRACE_FST=1 -I$(VERILATOR_INCLUDE) -I$(VERILATOR_INCLUDE)/vltstd \
 	    -c $(VERILATOR_INCLUDE)/$*.cpp -o $@
@@ -20,7 +20,7 @@ $(RUNTIME): $(BUILD)/verilated/%.o: | $(BUILD)/packages
 # rtl/files.f lists its modules. The waveform writer costs nothing until a file is opened.
 RTL_DIR := $(BUILD)/verilated/halfstep
 
-$(RTL_DIR)/log: rtl/files.f $(wildcard rtl/*.sv) | $(BUILD)/packages
+$(RTL_DIR)/log: rtl/files.f $(wildcard rtl/*.sv)
 	@mkdir -p $(@D)
 	$(VERILATE) --trace-fst --output-split 20000 --Mdir $(@D) --prefix Vhalfstep --top-module halfstep \
 	    -f rtl/files.f >$@.part 2>&1 || { cat $@.part; exit 1; }
@@ -48,7 +48,7 @@ $(RTL_TESTS): $(BUILD)/test_%: $(BUILD)/tests/test_%.o $(RTL_LIBS)
 # tests/test_NAME.c drives tests/NAME_top.sv through tests/NAME_shim.cpp, with the class VNAME.
 UNITS := emit registers
 
-$(UNITS:%=$(BUILD)/verilated/%/log): $(BUILD)/verilated/%/log: tests/%_top.sv $(wildcard rtl/*.sv) | $(BUILD)/packages
+$(UNITS:%=$(BUILD)/verilated/%/log): $(BUILD)/verilated/%/log: tests/%_top.sv $(wildcard rtl/*.sv)
 	@mkdir -p $(@D)
 	$(VERILATE) --Mdir $(@D) --prefix V$* --top-module $*_top -y rtl rtl/hs_pkg.sv $< >$@.part 2>&1 \
 	    || { cat $@.part; exit 1; }

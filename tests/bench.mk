@@ -1,8 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
-# Measurements: they print tables, and never fail by being slow.
+# Measurements: they print tables, and never fail by being slow. And tests whose programs are made
+# of more than one file.
 
-OSD_USERS += $(BUILD)/bench
+$(BUILD)/bench: $(BUILD)/tests/osd.o
+$(BUILD)/bench: LIBS += -losdCPU
 
-.PHONY: bench
+.PHONY: bench accuracy
 bench: $(BUILD)/bench ## golden's speed beside OpenSubdiv's, one thread
 	$<
+
+accuracy: $(BUILD)/accuracy ## distance to doubles: block floating point beside binary32
+	$<
+
+$(BUILD)/test_invariants: $(BUILD)/tests/invariants.o

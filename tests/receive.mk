@@ -7,7 +7,7 @@ RECEIVE_DIR   := $(BUILD)/receive
 RECEIVE_LIB   := $(foreach p,$(RECEIVE_PORTS),$(RECEIVE_DIR)/$p/Vreceive$p__ALL.a)
 RECEIVE_RUN   := $(addprefix $(RECEIVE_DIR)/1/,verilated.o verilated_threads.o)
 
-$(RECEIVE_LIB): $(RECEIVE_DIR)/%__ALL.a: $(RECEIVE_SV) | $(BUILD)/packages
+$(RECEIVE_LIB): $(RECEIVE_DIR)/%__ALL.a: $(RECEIVE_SV)
 	@mkdir -p $(@D)
 	verilator --cc --build -O3 -Wall --assert --x-assign unique --x-initial unique --Mdir $(@D) \
 	    --top receive --prefix $(*F) -GPORT_RECORDS=$(notdir $(@D)) -GVERTICES=512 -GQUADS=1024 \
