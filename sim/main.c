@@ -17,6 +17,7 @@ static const struct command {
     {"run", hs_command_run, "a mesh and viewpoints through the engines: compare, time, show"},
     {"mesh", hs_command_mesh, "look at meshes, make built-in ones, write OBJ"},
     {"trace", hs_command_trace, "packets in files: make, check, show as text, build from text"},
+    {"render", hs_command_render, "figures of meshes and streams, as PNG"},
 };
 enum { COMMAND_COUNT = sizeof COMMANDS / sizeof *COMMANDS };
 

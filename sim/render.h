@@ -156,16 +156,16 @@ enum hs_view_picture {
         HS_VIEW_COUNT
 };
 
+/* How far round these go (hs_surface_turn): half of what is seen then faced the viewpoint, and half
+ * did not. */
+#define HS_SIDE_DEGREES 80.0
+
 const char *hs_view_picture_file(enum hs_view_picture which);
 const char *hs_view_picture_caption(enum hs_view_picture which);
 /* Whether it shows the output; otherwise, the initial mesh. */
 bool hs_view_picture_shows_output(enum hs_view_picture which);
 /* Whether it is seen from the side; otherwise, from the viewpoint. */
 bool hs_view_picture_is_side(enum hs_view_picture which);
-
-/* The surface as such pictures see it from the side: hs_surface_turn. */
-bool hs_view_picture_turn(hs_surface *side, const hs_surface *surface, double aspect,
-                          hs_error *err);
 
 /* Draws one of them; surface is what it shows, turned already if it is seen from the side. *window
  * (may be NULL) becomes a close-up's place. */

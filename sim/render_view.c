@@ -11,8 +11,6 @@
 #include "png_file.h"
 #include "render.h"
 
-/* Far enough round that half of what is seen faced the viewpoint, and half did not. */
-#define SIDE_DEGREES       80.0
 #define CLOSEUP_SCALE      9.0
 #define CLOSEUP_SIDE_SCALE 5.0
 
@@ -65,11 +63,6 @@ bool hs_view_picture_is_side(enum hs_view_picture which) {
     return kinds[which].side;
 }
 
-bool hs_view_picture_turn(hs_surface *side, const hs_surface *surface, double aspect,
-                          hs_error *err) {
-    return hs_surface_turn(side, surface, SIDE_DEGREES, aspect, err);
-}
-
 bool hs_view_picture_draw(hs_picture *picture, enum hs_view_picture which, hs_renderer *renderer,
                           const hs_surface *surface, hs_window *window, hs_error *err) {
     *picture = (hs_picture){0};
@@ -99,7 +92,8 @@ static bool make_surfaces(hs_view_surfaces *s, const hs_mesh *mesh, const hs_out
 static bool turn_surfaces(hs_view_surfaces *s, double aspect, char *no_side, size_t size,
                           hs_error *err) {
     for (int refined = 1; refined >= 0 && !no_side[0]; refined--) {
-        if (hs_view_picture_turn(&s->of[refined][1], &s->of[refined][0], aspect, err)) continue;
+        if (hs_surface_turn(&s->of[refined][1], &s->of[refined][0], HS_SIDE_DEGREES, aspect, err))
+            continue;
         if (err->code != HS_EXIT_VIEWS) return false;
         snprintf(no_side, size, "%.*s", (int)size - 1, err->text);
         *err = (hs_error){0};

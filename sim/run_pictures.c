@@ -15,9 +15,6 @@
 #include "png_file.h"
 #include "reference.h"
 
-/* How strongly difference.png shows a difference of colour. */
-#define DIFFERENCE_GAIN 4.0
-
 /* --- The reference surface -------------------------------------------------------------------- */
 
 static bool is_closed(const hs_mesh *mesh) {
@@ -234,7 +231,7 @@ static bool compare_reference(hs_run_pictures_report *report, hs_picture *refere
     const bool lit = drawn->no_side[0] == 0;
     return draw_reference(reference, pictures, matrix, lit, err) &&
            hs_picture_compare(&c->difference, refined, reference, err) &&
-           hs_picture_subtract(difference, refined, reference, DIFFERENCE_GAIN, err);
+           hs_picture_subtract(difference, refined, reference, HS_DIFFERENCE_GAIN, err);
 }
 
 /* --- Files ------------------------------------------------------------------------------------ */

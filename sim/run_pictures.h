@@ -28,6 +28,9 @@ extern "C" {
  * difference that a picture of 768 x 768 pixels shows. */
 enum { HS_REFERENCE_SURFACE_FACES = 400000, HS_REFERENCE_SURFACE_LEVELS = 4 };
 
+/* How strongly pictures of differences show a difference of colour. */
+#define HS_DIFFERENCE_GAIN 4.0
+
 /* A uniformly refined mesh in object space, in doubles. */
 typedef struct hs_reference_surface {
     uint32_t level;       /* Catmull-Clark levels that were made, each of two steps */

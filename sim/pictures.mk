@@ -1,0 +1,15 @@
+# SPDX-License-Identifier: Apache-2.0
+# The pictures of README.md and docs/. They are kept in the tree, so that one sees them before
+# anything is built. Each is what one command draws, which may be typed by hand as well.
+
+PICTURE := $(BUILD)/halfstep render --quiet
+
+.PHONY: pictures
+pictures: $(BUILD)/halfstep ## docs/pictures/*.png, the pictures of README.md and docs/, anew
+	$(PICTURE) shape:hand --what triptych --turn 125 --size 400x440 -o docs/pictures/hand.png
+	$(PICTURE) shape:monster --what triptych --size 400x440 -o docs/pictures/monster.png
+	$(PICTURE) shape:hand --what steps --size 256x280 -o docs/pictures/steps.png
+	$(PICTURE) shape:grid:14 --what ramp --silhouette 6 --views docs/pictures/ramp.txt \
+	    --size 448x448 -o docs/pictures/ramp.png
+	$(PICTURE) shape:monster --what facing-side --turn 60 --size 448x448 -o docs/pictures/facing.png
+	$(PICTURE) shape:hand --what closeup-side --turn 100 --size 448x448 -o docs/pictures/closeup.png
