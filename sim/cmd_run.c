@@ -249,8 +249,6 @@ static bool prepare(hs_run *run, hs_error *err) {
     if (r->force && !hs_mesh_force(&run->mesh, r->force, err)) return false;
     if (!open_views(run, err)) return false;
     run->depth = hs_view_depth(&r->settings, &run->mesh);
-    if (r->json && !try_file(r->json, err)) return false;
-    if (r->wave && !try_file(r->wave, err)) return false;
     if (r->out) {
         char path[4096];
         if (!make_folder(r->out, err)) return false;
@@ -262,6 +260,8 @@ static bool prepare(hs_run *run, hs_error *err) {
             if (!run->pictures) return false;
         }
     }
+    if (r->json && !try_file(r->json, err)) return false;
+    if (r->wave && !try_file(r->wave, err)) return false;
     run->golden = hs_golden_new(r->limits);
     if (!run->golden) return hs_fail(err, HS_EXIT_INTERNAL, "no memory for golden");
     if (r->engines >> HS_ENGINE_rtl & 1) {

@@ -121,7 +121,7 @@ static int run_make(int argc, char **argv, hs_error *err) {
     if (parsed == HS_PARSED_HELP) return HS_EXIT_OK;
     if (parsed == HS_PARSED_WRONG) return err->code;
     if (all == (operand < argc)) {
-        hs_fail(err, HS_EXIT_USAGE, "halfstep trace make: name traces, or give --all%s",
+        hs_fail(err, HS_EXIT_USAGE, "trace make: name traces, or give --all%s",
                 all ? ", not both" : "");
         return err->code;
     }
@@ -290,7 +290,7 @@ static int run_check(int argc, char **argv, hs_error *err) {
     if (parsed == HS_PARSED_WRONG) return err->code;
     if (!output) return visit_all(argc - operand, argv + operand, check_trace, err);
     if (argc - operand != 1) {
-        hs_fail(err, HS_EXIT_USAGE, "halfstep trace check: --output belongs to one trace; name it");
+        hs_fail(err, HS_EXIT_USAGE, "trace check: --output belongs to one trace; name it");
         return err->code;
     }
     char folder[4000];

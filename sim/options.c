@@ -83,14 +83,14 @@ int hs_subcommand(const char *prefix, const char *const *name, int argc, char **
     }
     const char *nearest = argc > 1 ? hs_nearest(argv[1], name) : NULL;
     if (argc < 2)
-        hs_fail(err, HS_EXIT_USAGE, "halfstep %s: which of %s? `halfstep %s --help` explains",
-                prefix, list, prefix);
+        hs_fail(err, HS_EXIT_USAGE, "%s: which of %s? `halfstep %s --help` explains", prefix, list,
+                prefix);
     else if (nearest)
-        hs_fail(err, HS_EXIT_USAGE, "halfstep %s: no command \"%.40s\"; did you mean \"%s\"?",
-                prefix, argv[1], nearest);
+        hs_fail(err, HS_EXIT_USAGE, "%s: no command \"%.40s\"; did you mean \"%s\"?", prefix,
+                argv[1], nearest);
     else
-        hs_fail(err, HS_EXIT_USAGE, "halfstep %s: no command \"%.40s\"; there are %s", prefix,
-                argv[1], list);
+        hs_fail(err, HS_EXIT_USAGE, "%s: no command \"%.40s\"; there are %s", prefix, argv[1],
+                list);
     return -1;
 }
 
@@ -131,8 +131,8 @@ static bool take(const hs_command *command, const hs_option *o, const char *valu
         return true;
     case HS_OPTION_TEXT:
         if (!*value)
-            return hs_fail(err, HS_EXIT_USAGE, "halfstep %s: --%s is empty; give it %s",
-                           command->name, o->name, o->argument);
+            return hs_fail(err, HS_EXIT_USAGE, "%s: --%s is empty; give it %s", command->name,
+                           o->name, o->argument);
         *(const char **)o->value = value;
         return true;
     case HS_OPTION_NUMBER:
@@ -140,8 +140,8 @@ static bool take(const hs_command *command, const hs_option *o, const char *valu
             *(uint32_t *)o->value <= o->most)
             return true;
         return hs_fail(err, HS_EXIT_USAGE,
-                       "halfstep %s: --%s is \"%.40s\"; it should be a number from %u to %u",
-                       command->name, o->name, value, o->least, o->most);
+                       "%s: --%s is \"%.40s\"; it should be a number from %u to %u", command->name,
+                       o->name, value, o->least, o->most);
     }
     return false;
 }
@@ -158,12 +158,11 @@ static enum hs_parsed unknown(const hs_command *command, const hs_option *option
     text[strcspn(text, "=")] = 0;
     const char *nearest = strlen(text) > 1 ? hs_nearest(text, name) : NULL;
     if (nearest)
-        hs_fail(err, HS_EXIT_USAGE, "halfstep %s: no option \"%.40s\"; did you mean --%s?",
-                command->name, word, nearest);
+        hs_fail(err, HS_EXIT_USAGE, "%s: no option \"%.40s\"; did you mean --%s?", command->name,
+                word, nearest);
     else
-        hs_fail(err, HS_EXIT_USAGE,
-                "halfstep %s: no option \"%.40s\"; `halfstep %s --help` lists them", command->name,
-                word, command->name);
+        hs_fail(err, HS_EXIT_USAGE, "%s: no option \"%.40s\"; `halfstep %s --help` lists them",
+                command->name, word, command->name);
     return HS_PARSED_WRONG;
 }
 
@@ -195,15 +194,14 @@ enum hs_parsed hs_options_parse(const hs_command *command, const hs_option *opti
             return HS_PARSED_HELP;
         }
         if (code == ':') {
-            hs_fail(err, HS_EXIT_USAGE, "halfstep %s: %s needs a value", command->name,
-                    argv[optind - 1]);
+            hs_fail(err, HS_EXIT_USAGE, "%s: %s needs a value", command->name, argv[optind - 1]);
             return HS_PARSED_WRONG;
         }
         if (code == '?') {
             const char letter[3] = {'-', (char)optopt, '\0'};
             const char *word = optopt ? letter : argv[optind - 1];
             if (optopt >= 256 || optopt == 'h') {
-                hs_fail(err, HS_EXIT_USAGE, "halfstep %s: --%s takes no value", command->name,
+                hs_fail(err, HS_EXIT_USAGE, "%s: --%s takes no value", command->name,
                         optopt == 'h' ? "help" : option[optopt - 256].name);
                 return HS_PARSED_WRONG;
             }
@@ -217,13 +215,12 @@ enum hs_parsed hs_options_parse(const hs_command *command, const hs_option *opti
     *operand = optind;
     const int operands = argc - optind;
     if (operands < command->least) {
-        hs_fail(err, HS_EXIT_USAGE, "halfstep %s: %s is missing; usage: halfstep %s %s",
-                command->name, operands ? "an operand" : command->operands, command->name,
-                command->operands);
+        hs_fail(err, HS_EXIT_USAGE, "%s: %s is missing; usage: halfstep %s %s", command->name,
+                operands ? "an operand" : command->operands, command->name, command->operands);
         return HS_PARSED_WRONG;
     }
     if (command->most >= 0 && operands > command->most) {
-        hs_fail(err, HS_EXIT_USAGE, "halfstep %s: \"%.60s\" is one too many; usage: halfstep %s %s",
+        hs_fail(err, HS_EXIT_USAGE, "%s: \"%.60s\" is one too many; usage: halfstep %s %s",
                 command->name, argv[optind + command->most], command->name, command->operands);
         return HS_PARSED_WRONG;
     }

@@ -39,6 +39,13 @@ LINK_RTL  = $(CXX) $< $(RTL_LIBS) -o $@ $(LIBS) -pthread
 $(BUILD)/halfstep: $(BUILD)/sim/main.o $(RTL_LIBS)
 	$(LINK_RTL)
 
+# This test runs the program.
+$(BUILD)/test_cli: | $(BUILD)/halfstep
+
+.PHONY: traces
+traces: $(BUILD)/halfstep ## input and expectations of all traces, anew from their trace.txt
+	$< trace make --all
+
 # Tests that run the pipeline are named test_rtl*.c.
 RTL_TESTS := $(filter $(BUILD)/test_rtl%,$(TESTS))
 $(RTL_TESTS): $(BUILD)/test_%: $(BUILD)/tests/test_%.o $(RTL_LIBS)

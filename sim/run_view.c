@@ -220,25 +220,29 @@ static bool write_pictures(work *w, const char *folder, hs_error *err) {
     return true;
 }
 
-static bool write_folder(work *w, hs_error *err) {
-    hs_run_view *view = w->view;
-    char folder[4096], path[4200];
-    snprintf(folder, sizeof folder, "%s/view-%03u", w->run->request->out, view->number);
-    mkdir(folder, 0777); /* if it fails, the first file in it says why */
-    snprintf(path, sizeof path, "%s/input.hss", folder);
+static bool write_stream(const hs_packet *packet, const char *folder, const char *name,
+                         hs_error *err) {
+    char path[4200];
+    snprintf(path, sizeof path, "%s/%s", folder, name);
     hs_file file;
     if (!hs_file_create(&file, path, err)) return false;
-    if (!hs_frame_write(file.stream, &w->in, path, err)) {
-        hs_file_abandon(&file);
-        return false;
+    if (hs_frame_write(file.stream, packet, path, err)) return hs_file_commit(&file, err);
+    hs_file_abandon(&file);
+    return false;
+}
+
+static bool write_folder(work *w, hs_error *err) {
+    char folder[4096], path[4200];
+    snprintf(folder, sizeof folder, "%s/view-%03u", w->run->request->out, w->view->number);
+    mkdir(folder, 0777); /* if it fails, the first file in it says why */
+    if (!write_stream(&w->in, folder, "input.hss", err)) return false;
+    for (int i = 0; i < PIPELINE_COUNT; i++) {
+        const enum hs_engine engine = PIPELINES[i];
+        if (!w->view->engine[engine].ran) continue;
+        snprintf(path, sizeof path, "%s/mesh.obj", folder);
+        return write_stream(&w->packet[engine], folder, "output.hss", err) &&
+               hs_obj_write_output(path, &w->output[engine], err) && write_pictures(w, folder, err);
     }
-    if (!hs_file_commit(&file, err)) return false;
-    for (int i = 0; i < PIPELINE_COUNT; i++)
-        if (view->engine[PIPELINES[i]].ran) {
-            snprintf(path, sizeof path, "%s/mesh.obj", folder);
-            if (!hs_obj_write_output(path, &w->output[PIPELINES[i]], err)) return false;
-            return write_pictures(w, folder, err);
-        }
     return true;
 }
 
