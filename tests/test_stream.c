@@ -283,8 +283,6 @@ static void a_wrong_packet_with_a_right_crc_is_refused_with_its_cause(void **sta
         {52, 0xfff10300, "word 52 (record of unknown kind 7): this kind of record has no place"},
         {52, 0xffc10300, "word 52 (trailer, status): this kind of record has no place here"},
         {53, 18 | 0xffu << 24, "word 53 (face 0 of generation 0, vertices 1 and 2): vertex 18 was"},
-        {54, 0x0011ffff,
-         "word 54 (face 0 of generation 0, vertices 2 and 3): the face has vertex 17"},
         {55, 1 << 8, "word 55 (face 0 of generation 0, vertices 3 and 4): an unused number is not"},
         {56, 0xffa10901, "a face of 9 sides in generation 1"},
         {60, 0xffb00300, "word 60 (face 1 of generation 0, head of 3 more vertices): 0xffb00300"},
