@@ -171,7 +171,7 @@ enum hs_parsed hs_options_parse(const hs_command *command, const hs_option *opti
     struct option table[MOST_OPTIONS + 2];
     char letters[2 * MOST_OPTIONS + 8] = ":h";
     int options = 0;
-    for (; option[options].name && options < MOST_OPTIONS; options++) {
+    for (; options < MOST_OPTIONS && option[options].name; options++) {
         const hs_option *o = &option[options];
         const bool flag = o->kind == HS_OPTION_FLAG;
         table[options] =

@@ -242,6 +242,9 @@ static void a_view_that_selects_nothing_costs_three_passes(void **state) {
     const hs_bound bound = hs_bound_of(&settings, 8, &generation, 1, 8, 160, 100);
     assert_int_equal(bound.total, 3 * 24); /* classify, select, split */
     assert_int_equal(bound.stage[HS_STAGE_guard], 0);
+    /* Nothing is asked for: the faces are sent. */
+    const hs_settings none = {.uniform = true};
+    assert_int_equal(hs_bound_of(&none, 0, &generation, 1, 8, 160, 100).total, 24);
 }
 
 int main(void) {
