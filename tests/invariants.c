@@ -106,8 +106,7 @@ static void record_generation(void *context, const hs_state *s) {
             !replace(&u->quad, s->halfedges, sizeof *u->quad) ||
             !replace(&u->first, s->faces + (size_t)1, sizeof *u->first) ||
             !replace(&u->position, s->vertices, sizeof *u->position) ||
-            !replace(&u->faces_around, s->vertices, sizeof *u->faces_around) ||
-            !replace(&u->border, s->vertices, sizeof *u->border)) {
+            !replace(&u->faces_around, s->vertices, sizeof *u->faces_around)) {
             r->exhausted = true;
             return;
         }
@@ -118,7 +117,6 @@ static void record_generation(void *context, const hs_state *s) {
     r->record->generations = s->generation + 1;
     memcpy(u->position, s->position, s->vertices * sizeof *u->position);
     memset(u->faces_around, 0, s->vertices * sizeof *u->faces_around);
-    memset(u->border, 0, s->vertices * sizeof *u->border);
 
     uint32_t quads = 0;
     for (uint32_t f = 0; f < s->faces; f++) {
@@ -129,7 +127,6 @@ static void record_generation(void *context, const hs_state *s) {
             u->origin[h] = v;
             u->faces_around[v]++;
             u->quad[h] = t == HS_BORDER ? HS_BORDER : h < t ? quads++ : u->quad[t];
-            if (t == HS_BORDER) u->border[v] = u->border[s->origin[h0 + (i + 1) % n]] = true;
         }
     }
     u->first[s->faces] = s->halfedges;
@@ -163,7 +160,6 @@ void uniform_record_free(uniform_record *record) {
         free(u->first);
         free(u->position);
         free(u->faces_around);
-        free(u->border);
     }
     *record = (uniform_record){0};
 }
@@ -213,17 +209,17 @@ static bool check_correspondence(invariant_watch *w, const hs_state *s,
     return true;
 }
 
-/* I2 and I3 at every vertex of every selected face. refined_around: zeros, per vertex. */
-static bool check_selected(invariant_watch *w, const hs_state *s, const uniform_generation *u,
+/* I2 at every vertex of every selected face, I3 at every vertex of every refined one.
+ * refined_around: zeros, per vertex. */
+static bool check_vertices(invariant_watch *w, const hs_state *s, const uniform_generation *u,
                            uint16_t *refined_around) {
     for (uint32_t f = 0; f < s->faces; f++)
         for (uint32_t i = 0; i < hs_face_sides(s, f); i++)
             refined_around[s->origin[hs_face_first(s, f) + i]] += is_refined(s, f);
     for (uint32_t f = 0; f < s->faces; f++) {
-        if (s->finish || !(s->decision[f] & FACE_SELECTED)) continue;
-        for (uint32_t i = 0; i < hs_face_sides(s, f); i++) {
+        for (uint32_t i = 0; is_refined(s, f) && i < hs_face_sides(s, f); i++) {
             const uint32_t v = s->origin[hs_face_first(s, f) + i], uv = w->vertex[v];
-            if (!u->border[uv]) {
+            if (s->decision[f] & FACE_SELECTED) {
                 if (refined_around[v] != u->faces_around[uv])
                     return differ(&w->error, "I2: not all faces are refined around vertex",
                                   s->generation, v);
@@ -271,7 +267,7 @@ static void watch_generation(void *context, const hs_state *s) {
             for (uint32_t f = 0; f < s->faces; f++)
                 w->face[f] = f;
         }
-        w->good = check_correspondence(w, s, u) && check_selected(w, s, u, refined_around);
+        w->good = check_correspondence(w, s, u) && check_vertices(w, s, u, refined_around);
         if (w->good) follow(w, s, u);
     }
     free(refined_around);

@@ -32,7 +32,6 @@ typedef struct uniform_generation {
     uint32_t *first;        /* faces + 1 */
     int32_t (*position)[4]; /* per vertex */
     uint16_t *faces_around; /* per vertex: active faces */
-    bool *border;           /* per vertex: an end of an edge with one active face */
 } uniform_generation;
 typedef struct uniform_record {
     uint32_t generations;
@@ -45,13 +44,14 @@ bool uniform_record_make(uniform_record *record, hs_golden *golden, const hs_mes
                          const float matrix[16], uint32_t last, hs_error *err);
 void uniform_record_free(uniform_record *record);
 
-/* Watches a run of the same view, guard on. On a mesh with a boundary, vertices on the border of
- * the uniform run's active mesh are exempt from I2, but not from I3. */
+/* Watches a run of the same view, guard on, and checks somewhat more than the invariants ask for:
+ * I2 with the faces of the uniform run's active mesh, so that on a mesh with a boundary no vertex
+ * needs to be exempt, and I3 at the vertices of the guard ring's faces, too. */
 typedef struct invariant_watch {
     const uniform_record *uniform;
     uint32_t *vertex, *face, *next_face; /* the uniform run's numbers of this run's */
     size_t vertex_room, face_room;
-    uint64_t rings, positions; /* vertices of selected faces compared for I2, for I3 */
+    uint64_t rings, positions; /* vertices compared for I2, for I3 */
     bool good;                 /* false: error says what was wrong first */
     hs_error error;
 } invariant_watch;

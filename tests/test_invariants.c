@@ -169,10 +169,10 @@ static void what_a_view_refines_is_a_part_of_the_uniform_surface(void **state) {
         }
         if (rings + positions == before) fail_msg("%s: nothing compared", all->item[i].name);
     }
-    print_message("I2: %llu vertices of selected faces; I3: %llu positions; %llu views selected "
-                  "nothing\n",
-                  (unsigned long long)rings, (unsigned long long)positions,
-                  (unsigned long long)idle);
+    print_message(
+        "I2: %llu vertices of selected faces; I3: %llu of refined ones; %llu views selected "
+        "nothing\n",
+        (unsigned long long)rings, (unsigned long long)positions, (unsigned long long)idle);
     assert_true(rings > 1000000 && positions > 1000000);
     assert_true(idle > 0); /* the mesh behind the eye */
     uniform_record_free(&uniform);
