@@ -10,9 +10,11 @@
 #include "arithmetic.h"
 #include "golden_state.h"
 
-/* What was sent was held once, and stays: no face that has left may be pulled at a corner. */
+/* What was sent was held once, and stays: no face that has left may be pulled at a corner. A vertex
+ * of valence 1, which only a face with a vertex twice can have, stays because the mask is no
+ * average there. */
 static bool may_move(const hs_state *s, uint32_t v) {
-    return !(s->mark[v] & (MARK_HELD | MARK_BORDER)) && !s->sent[v];
+    return !(s->mark[v] & (MARK_HELD | MARK_BORDER)) && !s->sent[v] && s->valence[v] > 1;
 }
 
 static void move(hs_state *s, uint32_t v) {

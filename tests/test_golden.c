@@ -377,6 +377,29 @@ static void what_was_sent_never_moves_again(void **state) {
     free(mesh.origin);
 }
 
+/* One face w, v, w, u, sewn up along both its edges: v and u have one face each. */
+static void a_vertex_of_valence_1_stays(void **state) {
+    (void)state;
+    float position[12] = {1, 1, 1, 1, -1, -1, -1, 1, -0.5f, -1, 1, 1};
+    uint32_t first[2] = {0, 4}, origin[4] = {0, 1, 0, 2}, twin[4] = {1, 0, 3, 2}, face[4] = {0};
+    const hs_mesh mesh = {.vertices = 3,
+                          .faces = 1,
+                          .halfedges = 4,
+                          .position = position,
+                          .first = first,
+                          .origin = origin,
+                          .twin = twin,
+                          .face = face};
+    const hs_settings settings = {.uniform = true, .uniform_depth = 5};
+    result r = run(&mesh, identity, &settings);
+    assert_int_equal(r.report.status, HS_STATUS_OK);
+    assert_int_equal(r.output.faces, 2 << 4);
+    for (uint32_t i = 0; i < r.output.vertices; i++)
+        if (r.output.number[i] == 1 || r.output.number[i] == 2)
+            assert_memory_equal(r.output.position + 4 * i, position + 4 * r.output.number[i], 16);
+    hs_output_free(&r.output);
+}
+
 /* --- Numbers at the limits
  * --------------------------------------------------------------------------------- */
 
@@ -506,6 +529,7 @@ int main(void) {
         cmocka_unit_test(faces_of_255_sides_are_refined),
         cmocka_unit_test(valence_255_is_accepted_and_256_refused_at_its_corner),
         cmocka_unit_test(what_was_sent_never_moves_again),
+        cmocka_unit_test(a_vertex_of_valence_1_stays),
         cmocka_unit_test(minus_zero_leaves_as_plus_zero),
         cmocka_unit_test(a_mesh_of_zeros_has_the_exponent_zero),
         cmocka_unit_test(blocks_reach_from_the_smallest_subnormal_to_the_largest_number),
