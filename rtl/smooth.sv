@@ -3,7 +3,8 @@
 // smooth: goes over the vertices in the order of their numbers. In an odd step it moves those that
 // may move; it sends those that this generation's final faces will name.
 //
-//   moves  = active, not held, not on the border of the active mesh:  RNE((T + n(n-2) S) / n^2)
+//   moves  = active, not held, not on the border of the active mesh, not sent before, valence n > 1:
+//            RNE((T + n(n-2) S) / n^2)
 //   leaves = active, not sent before, and held or on the border; in the last step, or when nothing
 //            is refined any more, every active vertex; after a last step all new vertices too
 //
@@ -92,7 +93,7 @@ module smooth #(
           {1'b0, row_q, BANK_BITS'(b)} < count_i;
       border = mark_rd_data_i[b*13+3];
       stays = held_rd_data_i[b] || border;
-      move[b] = active && odd_i && !stays && !finish_i;
+      move[b] = active && odd_i && !stays && !mark_rd_data_i[b*13+4] && !finish_i;
       leave[b] = active && !mark_rd_data_i[b*13+4] && (stays || last_i || finish_i);
       work[b] = active && (odd_i || leave[b]) && !done_q[b];
     end
@@ -174,13 +175,15 @@ module smooth #(
   logic [127:0] quotient;
   logic signed [47:0] weight;
   logic [7:0] n;
+  logic moves;
 
   assign n = sum_rd_data_i[167:160];
+  assign moves = read_move_q && n != 8'd1;  // for n = 1 the mask is no average
   assign weight = $signed({40'd0, n}) * ($signed({40'd0, n}) - 48'sd2);
 
   always_ff @(posedge clk_i) begin
-    divide_valid_q <= read_q && read_move_q;
-    if (read_q && read_move_q) begin
+    divide_valid_q <= read_q && moves;
+    if (read_q && moves) begin
       n_q <= n;
       for (int k = 0; k < 4; k++)
         dividend_q[k*48+:48] <= {{8{sum_rd_data_i[k*40+39]}}, sum_rd_data_i[k*40+:40]} +
@@ -214,7 +217,7 @@ module smooth #(
       .rst_i,
       .in_valid_i(read_q),
       .in_ready_o(),  // at most 6 are on their way
-      .in_data_i({read_new_q, read_leave_q, read_move_q, read_vertex_q, position}),
+      .in_data_i({read_new_q, read_leave_q, moves, read_vertex_q, position}),
       .out_valid_o(),  // as flight_q
       .out_ready_i(retire),
       .out_data_o({along_new, along_leave, along_move, along_vertex, along_position}),
