@@ -235,14 +235,14 @@ module split #(
 
   logic middle_valid, middle_ready;
   logic [MIDDLE-1:0] middle;
-  logic [4:0] middle_level;
+  logic [5:0] middle_level;
   logic [4*IB-1:0] middle_index;
   logic [3:0] middle_lower, middle_replaced;
 
   /* verilator lint_off PINCONNECTEMPTY */
   fifo #(
       .WIDTH(MIDDLE),
-      .DEPTH(16)
+      .DEPTH(32)
   ) u_middle (
       .clk_i,
       .rst_i,
@@ -258,7 +258,7 @@ module split #(
   );
   /* verilator lint_on PINCONNECTEMPTY */
 
-  assign stall_first = middle_level > 5'd8;
+  assign stall_first = middle_level > 6'd12;  // gather's window still fits
   assign middle_replaced = middle[RECORD+4*VW+4+:4];
   assign middle_lower = middle[RECORD+4*VW+8+:4];
   for (genvar i = 0; i < 4; i++) begin : g_middle
