@@ -127,12 +127,14 @@ module sequencer #(
 
   logic [QW:0] refined;
   logic [QW+2:0] sides;
-  logic exceeds, ends;
+  logic exceeds, ends, empty;
 
   assign quads_o = generation_q != 8'd0;
   assign odd_o = !generation_q[0];
   assign all_o = uniform_i && quads_o;
   assign ends = generation_q >= depth;
+  // On a mesh with a boundary a step may leave triangles only: then nothing is selected any more.
+  assign empty = items_q == '0;
   assign refined = all_o ? faces_q : refined_i;
   assign sides = all_o ? {faces_q, 2'b00} : sides_i;
   assign exceeds = 32'(vertices_q) + 32'(refined) > 32'(limit_vertices_i) ||
@@ -175,7 +177,8 @@ module sequencer #(
 
   assign op_valid_o = state_q == HEADER || state_q == TRAILER;
   assign op_trailer_o = state_q == TRAILER;
-  assign op_generation_o = last_o ? generation_q + 8'd1 : generation_q;
+  // A refused view has reached none, whatever the settings of its header, or of the view before, say.
+  assign op_generation_o = last_o && !refused_o ? generation_q + 8'd1 : generation_q;
   assign view_done_o = state_q == DRAIN && emit_done_i;
   assign busy_o = busy_q;
   assign status_o = status_q;
@@ -222,7 +225,7 @@ module sequencer #(
           status_q <= valence_first ? hs_pkg::STATUS_BAD_VALENCE : hs_pkg::STATUS_BAD_TWIN;
           position_q <= corners_at + 4 * topology_corner + 32'(!valence_first);
         end
-        finish_q <= ends || (all_o && exceeds);
+        finish_q <= ends || (all_o && (exceeds || empty));
         if (all_o && exceeds) status_q <= STOPPED;
         if (!quads_o) state_q <= HEADER;
         else if (all_o) state_q <= smooth_idle && !exceeds ? SPLIT : SMOOTH;
