@@ -227,8 +227,15 @@ hs_rtl *hs_rtl_new(hs_limits limits, uint32_t seed, hs_error *err) {
     return rtl;
 }
 
+/* Verilator's runtime asks the thread for its context, which is that of the simulation built last:
+ * another one's errors would be counted there, or in freed memory. */
+static void enter(hs_rtl *rtl) {
+    Verilated::threadContextp(&rtl->context);
+}
+
 void hs_rtl_free(hs_rtl *rtl) {
     if (!rtl) return;
+    enter(rtl);
     if (rtl->trace) rtl->trace->close();
     rtl->top->final();
     delete rtl;
@@ -244,6 +251,7 @@ uint64_t hs_rtl_word_cycle(const hs_rtl *rtl, size_t word) {
 }
 
 bool hs_rtl_trace(hs_rtl *rtl, const char *path, uint64_t first, uint64_t last, hs_error *err) {
+    enter(rtl);
     if (rtl->trace) rtl->trace->close();
     rtl->trace.reset();
     if (!path) return true;
@@ -518,6 +526,7 @@ static bool account(const hs_rtl *rtl, const hs_packet *in, const snapshot &afte
 bool hs_rtl_run(hs_rtl *rtl, const hs_packet *in, hs_stalls stalls, hs_packet *out,
                 hs_rtl_report *report, hs_error *err) {
     std::memset(report, 0, sizeof *report);
+    enter(rtl);
     out->view = in->view;
     out->words = 0;
     if (rtl->broken && !reset(rtl, err)) return false;
