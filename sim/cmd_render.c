@@ -56,6 +56,7 @@ typedef struct scene {
     hs_output output;
     float matrix[16];
     bool has_mesh, has_output, has_matrix;
+    bool forced; /* depths of single faces were asked for */
     hs_settings settings;
 } scene;
 
@@ -203,6 +204,7 @@ static bool open_mesh(scene *s, const request *r, hs_error *err) {
     if (!hs_mesh_open(&s->mesh, r->source, r->quiet, err)) return false;
     if (r->force && !hs_mesh_force(&s->mesh, r->force, err)) return false;
     s->settings = r->settings;
+    s->forced = r->force != NULL;
     s->has_mesh = s->has_matrix = true;
     return choose_view(s->matrix, r, r->view, &s->mesh, err);
 }
@@ -254,7 +256,8 @@ static bool unpack(scene *s, const hs_packet *packet, const char *name, hs_error
         done = hs_mesh_build(&s->mesh, &soup, NULL, err);
     }
     for (uint32_t f = 0; done && f < faces; f++)
-        s->mesh.forced[f] = (uint8_t)(halfedge[4 * (size_t)s->mesh.first[f] + 2] >> 8);
+        if ((s->mesh.forced[f] = (uint8_t)(halfedge[4 * (size_t)s->mesh.first[f] + 2] >> 8)))
+            s->forced = true;
     free(place);
     free(sides);
     free(corner);
@@ -319,7 +322,7 @@ static bool draw(hs_picture *picture, const scene *s, const request *r, hs_error
                                      .matrix = s->has_matrix ? s->matrix : NULL,
                                      .settings = s->settings,
                                      .limits = HS_DEFAULT_LIMITS,
-                                     .forced = r->force != NULL,
+                                     .forced = s->forced,
                                      .stopped = &stopped,
                                      .turn = r->turn,
                                      .levels = r->levels,

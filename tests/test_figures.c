@@ -239,14 +239,15 @@ static hs_picture rendered(const folder *f, const char *line) {
     return picture;
 }
 
-/* in.hss, out.hss: a torus from 3 viewpoints, all.txt, at depths 2 and 6, face 4 forced to 5. */
+/* in.hss, out.hss: a torus from 3 viewpoints, all.txt, at depths 2 and 6, faces 1 to 60 forced
+ * to 5. */
 static folder make_streams(void) {
     hs_error err = {0};
     folder f = make_folder();
     hs_mesh mesh;
     hs_views views;
     assert_true(hs_shape_make(&mesh, "torus", 0, 1, &err));
-    mesh.forced[3] = 5;
+    memset(mesh.forced, 5, 60);
     assert_true(hs_views_orbit(&views, 3, &mesh, 1, &err));
     assert_true(hs_views_write(&views, inside(&f, "all.txt"), &err));
     hs_golden *golden = hs_golden_new(HS_DEFAULT_LIMITS);
@@ -266,7 +267,7 @@ static folder make_streams(void) {
     fclose(out_file);
     FILE *force = fopen(inside(&f, "force.txt"), "w");
     assert_non_null(force);
-    fprintf(force, "4 5\n");
+    fprintf(force, "1-60 5\n");
     fclose(force);
     hs_packet_free(&in);
     hs_packet_free(&out);
@@ -304,13 +305,17 @@ static void mesh_packet_in_and_packet_out_give_the_same_picture(void **state) {
     remove_streams(&f);
 }
 
-static void a_packet_in_gives_the_initial_mesh_too(void **state) {
+static void a_packet_in_gives_the_initial_mesh_and_its_forced_depths_too(void **state) {
     (void)state;
     folder f = make_streams();
-    char mesh[600], in[600];
-    snprintf(mesh, sizeof mesh, "shape:torus --views %s -w facing", inside(&f, "all.txt"));
-    snprintf(in, sizeof in, "%s -w facing", inside(&f, "in.hss"));
-    assert_same(rendered(&f, mesh), rendered(&f, in), true);
+    static const char *const what[] = {"facing", "ramp"};
+    for (int i = 0; i < 2; i++) {
+        char mesh[600], in[600];
+        snprintf(mesh, sizeof mesh, "shape:torus --force %s --views %s -w %s",
+                 inside(&f, "force.txt"), inside(&f, "all.txt"), what[i]);
+        snprintf(in, sizeof in, "%s -w %s", inside(&f, "in.hss"), what[i]);
+        assert_same(rendered(&f, mesh), rendered(&f, in), true);
+    }
     remove_streams(&f);
 }
 
@@ -397,7 +402,7 @@ int main(void) {
         cmocka_unit_test(a_refinement_that_stops_early_is_told),
         cmocka_unit_test(a_view_that_golden_refuses_has_no_figure),
         cmocka_unit_test(mesh_packet_in_and_packet_out_give_the_same_picture),
-        cmocka_unit_test(a_packet_in_gives_the_initial_mesh_too),
+        cmocka_unit_test(a_packet_in_gives_the_initial_mesh_and_its_forced_depths_too),
         cmocka_unit_test(what_cannot_be_drawn_is_said_and_leaves_no_file),
         cmocka_unit_test(damaged_streams_are_refused),
     };

@@ -350,6 +350,8 @@ static void singular_matrix_gives_pictures_from_the_viewpoint_alone(void **state
     assert_non_null(strstr(report.no_side, "singular"));
     assert_int_equal(report.comparison[0].difference.different, 0);
     assert_true(report.comparison[2].difference.maximum <= 1.5);
+    print_message("singular: PSNR %.1f dB\n", report.comparison[2].difference.psnr);
+    assert_true(report.comparison[2].difference.psnr >= 40); /* neither is lit */
     hs_output_free(&again);
     free_scene(&s);
 }
