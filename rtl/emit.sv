@@ -3,13 +3,13 @@
 // The last stage: turns final vertices and faces into the records of the output stream
 // (docs/stream.md), and counts what it sends.
 //
-//   op -> next_q -> (4 x to_float) -> this_q -> records_q -> pack -> m_axis
-//            \________ looks ahead ______/
+//   op -> next_q -> (4 x to_float) -> this_q -> vertex_records -> records_q -> pack -> m_axis
+//            \                               \-> face_records --/
+//             \________ looks ahead __________/
 //
 //   * One op a cycle, whatever its kind, and none is ever held up inside as long as pack is not.
-//     An op gives at most 4 records: of 4 vertices that share a VERTICES record the third sends
-//     that record and three positions, because the op behind it is already known to be the fourth,
-//     and the fourth sends its own position.
+//     An op gives at most 4 records; vertex_records and face_records make those of vertices and
+//     of faces, the header and the trailer are made here.
 //   * Vertices that follow each other are grouped by four. An op of another kind ends a group, and
 //     so does another generation. A vertex may therefore wait for the op behind it.
 //   * FACES with an empty mask is taken and leaves no trace. Faces leave in the order of slots.
@@ -111,9 +111,7 @@ module emit #(
   generate
     for (c = 0; c < 4; c = c + 1) begin : gen_component
       to_float convert (
-          .q_i       (next_position_q[32*c+:32]),
-          .exponent_i(exponent_i),
-          .c_o       (next_float[32*c+:32])
+          .q_i(next_position_q[32*c+:32]), .exponent_i, .c_o(next_float[32*c+:32])
       );
     end
   endgenerate
@@ -143,86 +141,30 @@ module emit #(
   assign {vertex, mask, triangle, child, candidate, sides, first, last, number, generation, kind} =
       this_q;
 
-  // --- Vertices: who is in the group -------------------------------------------------------------
-  logic [1:0] grouped_q;  // vertices of the group before this one
-  logic [47:0] group_number_q;  // the numbers of the first two
-  logic [255:0] group_float_q;  // and their positions
-  logic next_joins, group_sends, group_closes;
-  logic [ 95:0] group_numbers;
-  logic [383:0] group_floats;
-  logic [  2:0] group_count;  // as the VERTICES record says it
+  // --- What vertices and faces become --------------------------------------------------------------
+  logic go_vertex, go_face, vertex_waits;
+  logic [511:0] vertex_records, face_records;
+  logic [2:0] vertex_count, face_count;  // records
+  logic [2:0] complete, complete_triangles;  // faces that are complete with this op
 
-  assign next_joins = next_valid_q && next_kind == VERTEX && next_generation == generation;
-  // The fourth of a group has no one to wait for, its record is gone already.
-  assign group_closes = grouped_q == 2'd3 || !next_joins;
-  assign group_sends = grouped_q != 2'd3 && (!next_joins || grouped_q == 2'd2);
-  assign group_count = {1'b0, grouped_q} + 3'd1 + {2'd0, next_joins};
+  assign go_vertex = go && kind == VERTEX;
+  assign go_face   = go && (kind == FACES || kind == CORNER);
 
-  always_comb begin
-    unique case (grouped_q)
-      2'd0: group_numbers = {72'd0, number};
-      2'd1: group_numbers = {48'd0, number, group_number_q[23:0]};
-      default: group_numbers = {next_joins ? next_number : 24'd0, number, group_number_q};
-    endcase
-    unique case (grouped_q)
-      2'd0: group_floats = {256'd0, float_q};
-      2'd1: group_floats = {128'd0, float_q, group_float_q[127:0]};
-      default: group_floats = {float_q, group_float_q};
-    endcase
-  end
+  vertex_records u_vertices (
+      .clk_i, .rst_i, .take_i(go_vertex), .generation_i(generation), .number_i(number),
+      .position_i(float_q), .next_valid_i(next_valid_q),
+      .next_joins_i(next_kind == VERTEX && next_generation == generation),
+      .next_number_i(next_number), .waits_o(vertex_waits), .count_o(vertex_count),
+      .records_o(vertex_records)
+  );
 
-  // --- Polygons: the corners of the record in the making -----------------------------------------
-  logic [1:0] cornered_q;  // corners that wait for their record
-  logic [71:0] corner_number_q;  // their numbers, the first lowest
-  logic opened_q;  // the polygon's FACE record is gone; what comes is MORE
-  logic [1:0] corners;
-  logic opened, corner_sends;
-  logic [95:0] corner_numbers;
-
-  // A polygon's first corner starts anew, whatever was left behind.
-  assign corners = first ? 2'd0 : cornered_q;
-  assign opened = !first && opened_q;
-  assign corner_sends = last || corners == 2'd3;
-
-  always_comb begin
-    unique case (corners)
-      2'd0: corner_numbers = {72'd0, number};
-      2'd1: corner_numbers = {48'd0, number, corner_number_q[23:0]};
-      2'd2: corner_numbers = {24'd0, number, corner_number_q[47:0]};
-      default: corner_numbers = {number, corner_number_q};
-    endcase
-  end
-
-  // --- Faces: a record for each slot in use, close together --------------------------------------
-  logic [511:0] face;  // the record of slot s in bits 128*s+127:128*s
-  logic [511:0] faces;  // those in use, without gaps, zeros behind them
-  logic [2:0] face_count, triangle_count;
-
-  genvar s;
-  generate
-    for (s = 0; s < 4; s = s + 1) begin : gen_face
-      assign face[128*s+:128] = {
-        triangle[s] ? 24'd0 : vertex[24*(4*s+3)+:24],
-        vertex[24*(4*s)+:72],
-        TAG,
-        hs_pkg::RECORD_FACE,
-        3'd0,
-        candidate[s],
-        triangle[s] ? 8'd3 : 8'd4,
-        generation + {7'd0, child[s]}
-      };
-    end
-  endgenerate
-
-  always_comb begin
-    faces = mask[3] ? {384'd0, face[511:384]} : 512'd0;
-    if (mask[2]) faces = {faces[383:0], face[383:256]};
-    if (mask[1]) faces = {faces[383:0], face[255:128]};
-    if (mask[0]) faces = {faces[383:0], face[127:0]};
-    face_count = {2'd0, mask[0]} + {2'd0, mask[1]} + {2'd0, mask[2]} + {2'd0, mask[3]};
-    triangle_count = {2'd0, mask[0] & triangle[0]} + {2'd0, mask[1] & triangle[1]}
-                   + {2'd0, mask[2] & triangle[2]} + {2'd0, mask[3] & triangle[3]};
-  end
+  face_records u_faces (
+      .clk_i, .rst_i, .take_i(go_face), .polygon_i(kind == CORNER), .generation_i(generation),
+      .candidate_i(candidate), .mask_i(mask), .triangle_i(triangle), .child_i(child),
+      .vertex_i(vertex), .number_i(number), .sides_i(sides), .first_i(first), .last_i(last),
+      .count_o(face_count), .records_o(face_records), .faces_o(complete),
+      .triangles_o(complete_triangles)
+  );
 
   // --- The records of this op --------------------------------------------------------------------
   logic [31:0] vertices_q, faces_q, triangles_q;  // sent in this packet
@@ -231,7 +173,6 @@ module emit #(
 
   always_comb begin
     records = 512'd0;
-    count   = 3'd0;
     unique case (kind)
       HEADER: begin
         records[127:0] = {
@@ -241,31 +182,12 @@ module emit #(
         count = 3'd1;
       end
       VERTEX: begin
-        if (group_sends) begin
-          records = {
-            group_floats, group_numbers,
-            TAG, hs_pkg::RECORD_VERTICES, 1'b0, group_count, 8'd0, generation
-          };
-          count = 3'd2 + {1'b0, grouped_q};
-        end else if (grouped_q == 2'd3) begin
-          records[127:0] = float_q;
-          count = 3'd1;
-        end
+        records = vertex_records;
+        count   = vertex_count;
       end
-      FACES: begin
-        records = faces;
+      FACES, CORNER: begin
+        records = face_records;
         count   = face_count;
-      end
-      CORNER: begin
-        if (corner_sends) begin
-          records[127:0] = {
-            corner_numbers, TAG,
-            opened ? {hs_pkg::RECORD_MORE, 4'd0, 8'd1 + {6'd0, corners}}
-                   : {hs_pkg::RECORD_FACE, 3'd0, candidate[0], sides},
-            generation
-          };
-          count = 3'd1;
-        end
       end
       default: begin  // TRAILER; pack puts the CRC into END's last word
         records[255:0] = {
@@ -277,41 +199,20 @@ module emit #(
     endcase
   end
 
-  // A vertex that is not its group's fourth must know what follows it.
   logic free;
-  assign go = valid_q && free && (kind != VERTEX || grouped_q == 2'd3 || next_valid_q);
+  assign go = valid_q && free && !(kind == VERTEX && vertex_waits);
 
   always_ff @(posedge clk_i) begin
-    if (go) begin
-      unique case (kind)
-        HEADER: begin
-          vertices_q  <= 32'd0;
-          faces_q     <= 32'd0;
-          triangles_q <= 32'd0;
-        end
-        VERTEX: begin
-          vertices_q <= vertices_q + 32'd1;
-          grouped_q  <= group_closes ? 2'd0 : grouped_q + 2'd1;
-          group_number_q <= group_numbers[47:0];
-          group_float_q  <= group_floats[255:0];
-        end
-        FACES: begin
-          faces_q <= faces_q + {29'd0, face_count};
-          triangles_q <= triangles_q + {29'd0, triangle_count};
-        end
-        CORNER: begin
-          cornered_q <= corner_sends ? 2'd0 : corners + 2'd1;
-          corner_number_q <= corner_numbers[71:0];
-          opened_q <= opened || corner_sends;
-          if (last) begin
-            faces_q <= faces_q + 32'd1;
-            if (sides == 8'd3) triangles_q <= triangles_q + 32'd1;
-          end
-        end
-        default: ;
-      endcase
+    if (go && kind == HEADER) begin
+      vertices_q  <= 32'd0;
+      faces_q     <= 32'd0;
+      triangles_q <= 32'd0;
     end
-    if (rst_i) grouped_q <= 2'd0;
+    if (go_vertex) vertices_q <= vertices_q + 32'd1;
+    if (go_face) begin
+      faces_q     <= faces_q + {29'd0, complete};
+      triangles_q <= triangles_q + {29'd0, complete_triangles};
+    end
   end
 
   // --- To pack -----------------------------------------------------------------------------------
@@ -333,22 +234,10 @@ module emit #(
 
   pack #(
       .PORT_RECORDS(PORT_RECORDS)
-  ) pack (
-      .clk_i        (clk_i),
-      .rst_i        (rst_i),
-      .valid_i      (records_valid_q),
-      .ready_o      (pack_ready),
-      .count_i      (count_q),
-      .records_i    (records_q),
-      .last_i       (records_last_q),
-      .view_i       (view_i),
-      .m_axis_tvalid(m_axis_tvalid),
-      .m_axis_tready(m_axis_tready),
-      .m_axis_tdata (m_axis_tdata),
-      .m_axis_tkeep (m_axis_tkeep),
-      .m_axis_tlast (m_axis_tlast),
-      .m_axis_tid   (m_axis_tid),
-      .done_o       (done_o)
+  ) u_pack (
+      .clk_i, .rst_i, .valid_i(records_valid_q), .ready_o(pack_ready), .count_i(count_q),
+      .records_i(records_q), .last_i(records_last_q), .view_i, .m_axis_tvalid, .m_axis_tready,
+      .m_axis_tdata, .m_axis_tkeep, .m_axis_tlast, .m_axis_tid, .done_o
   );
 
   // --- For the counters --------------------------------------------------------------------------
@@ -403,10 +292,6 @@ module emit #(
   assert property (@(posedge clk_i) disable iff (rst_i)
       op_valid_i |-> op_kind_i <= TRAILER && (op_kind_i == HEADER || working_q))
   else $error("emit: an op that does not exist, or outside of a packet");
-  polygon_begins :
-  assert property (@(posedge clk_i) disable iff (rst_i)
-      go && kind == CORNER && !opened_q && cornered_q == 2'd0 |-> first)
-  else $error("emit: a polygon without a first corner");
 `endif
 
 endmodule

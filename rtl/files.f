@@ -9,6 +9,7 @@ rtl/divide.sv
 rtl/emit.sv
 rtl/face_geometry.sv
 rtl/face_memory.sv
+rtl/face_records.sv
 rtl/fetch.sv
 rtl/fifo.sv
 rtl/fold.sv
@@ -31,9 +32,12 @@ rtl/select.sv
 rtl/sequencer.sv
 rtl/smooth.sv
 rtl/split.sv
+rtl/split_faces.sv
+rtl/split_number.sv
 rtl/split_write.sv
 rtl/to_fixed.sv
 rtl/to_float.sv
 rtl/transform.sv
 rtl/unpack.sv
 rtl/vertex_memory.sv
+rtl/vertex_records.sv

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // split_write: the last part of split. It writes the child halves of an item's edges into the next
-// generation's records, and sends the faces that are final.
+// generation's records, and lets split_faces send the faces that are final.
+//
+//                                                    +--> scatter: lower halves, upper halves
+//   items --> fold --> the item with its neighbours -+
+//                                                    +--> split_faces --> emit
 //
 //   * In: an item with valid_i, whose meaning split.sv gives; it may come whenever stall_o was low
 //     3 cycles ago. children_i: per edge that is replaced, the half-edge of the next generation at
@@ -9,10 +13,7 @@
 //   * A half is {selected, forced, border of c1, border of c0, twin of c1, twin of c0, origin of c1,
 //     origin of c0}. The twin of c0(h) is c1(next(h)), that of c1(h) is c0(prev(h)): so next and prev
 //     must be known, which in generation 0 takes the whole face: its items are folded.
-//   * Ops for emit: of a face that is not refined, itself: a quad, or corner by corner in generation
-//     0. Of a refined one, in the order of its edges, the triangles of those that are kept and, in
-//     the last step, the child quads that are numbered here; before its first triangle its new
-//     vertex, but in the last step, when smooth sent that.
+//   * An item is done when both its halves are written and split_faces has sent what is final of it.
 
 module split_write #(
     parameter int unsigned VW = 19,
@@ -182,7 +183,7 @@ module split_write #(
 
   logic [4*VW-1:0] next_origin;
   logic [4*HW-1:0] next_children, prev_children;
-  logic [3:0] next_replaced, prev_replaced, lanes;
+  logic [3:0] next_replaced, prev_replaced;
 
   always_comb begin
     next_origin = {origin[0+:VW], origin[4*VW-1:VW]};
@@ -198,7 +199,6 @@ module split_write #(
       prev_replaced[0] = prev_replaced_q;
     end
   end
-  assign lanes = quads_i ? 4'b1111 : 4'b0001;
 
   // --- Child halves ---------------------------------------------------------------------------------------------
   logic [4*HALF-1:0] half;
@@ -266,70 +266,41 @@ module split_write #(
   assign conflict_o = lower_conflict || upper_conflict;
 
   // --- Final faces ------------------------------------------------------------------------------------------------
-  logic [3:0] kept, leaving;  // edges that yield a triangle; or, in the last step, a quad
-  logic vertex_needed, vertex_done_q, vertex_sent_q, face_needed, vertex_now;
+  logic faces_over;
 
-  assign kept = refined ? lanes & ~replaced : 4'b0000;
-  assign leaving = refined && last_step_i ? replaced & lower : 4'b0000;
-  // An n-gon sends its vertex with its first triangle only.
-  assign vertex_needed = kept != 4'b0000 && !last_step_i && (first_q || !vertex_sent_q);
-  assign face_needed = !refined || (kept | leaving) != 4'b0000;
-  assign vertex_now = vertex_needed && !vertex_done_q;
-
-  assign op_valid_o = valid_q && known && (vertex_now || (face_needed && !face_done_q));
-  assign op_kind_o = vertex_now ? 3'(hs_pkg::OP_VERTEX) :
-      refined || quads_i ? 3'(hs_pkg::OP_FACES) : 3'(hs_pkg::OP_CORNER);
-  assign op_number_o = refined ? 24'(number) : 24'(origin[0+:VW]);
-  assign op_position_o = point;
-  assign op_mask_o = refined ? kept | leaving : 4'b0001;
-  assign op_triangle_o = refined ? kept : 4'b0000;
-  assign op_child_o = leaving;
-  assign op_candidate_o = refined ? leaving & beyond_selected & {4{selected}} : {3'b000, candidate};
-  assign op_sides_o = sides_q;
-  assign op_first_o = first_q;
-  assign op_last_o = last_q;
-
-  always_comb begin
-    for (int i = 0; i < 4; i++) begin
-      logic [23:0] v, w, f, g;
-      v = 24'(origin[i*VW+:VW]);
-      w = 24'(next_origin[i*VW+:VW]);
-      f = 24'(number);
-      g = 24'(beyond_number[i*VW+:VW]);
-      op_vertex_o[i*96+:96] = kept[i] ? {24'd0, f, w, v} : {g, v, f, w};
-    end
-    if (!refined)
-      for (int k = 0; k < 4; k++) op_vertex_o[k*24+:24] = 24'(origin[k*VW+:VW]);
-  end
+  split_faces #(
+      .VW(VW)
+  ) u_faces (
+      .clk_i, .quads_i, .last_step_i, .valid_i(valid_q && known), .done_i(done),
+      .over_o(faces_over), .sent_o, .first_i(first_q), .last_i(last_q), .sides_i(sides_q),
+      .candidate_i(candidate), .refined_i(refined), .selected_i(selected), .number_i(number),
+      .point_i(point), .origin_i(origin), .next_origin_i(next_origin), .replaced_i(replaced),
+      .lower_i(lower), .beyond_selected_i(beyond_selected), .beyond_number_i(beyond_number),
+      .op_valid_o, .op_ready_i, .op_kind_o, .op_number_o, .op_position_o, .op_mask_o,
+      .op_triangle_o, .op_child_o, .op_candidate_o, .op_vertex_o, .op_sides_o, .op_first_o,
+      .op_last_o
+  );
 
   // --- The item is done when each of its parts is -------------------------------------------------------------------
-  logic face_done_q, lower_over, upper_over, vertex_over, face_over;
+  logic lower_over, upper_over;
 
   assign lower_over = lower_mask == 4'b0000 || lower_done_q || lower_ready;
   assign upper_over = upper_mask == 4'b0000 || upper_done_q || upper_ready;
-  assign vertex_over = !vertex_needed || vertex_done_q || (op_ready_i && vertex_now);
-  assign face_over = !face_needed || face_done_q || (op_ready_i && !vertex_now);
-  assign done = valid_q && known && lower_over && upper_over && vertex_over && face_over;
+  assign done = valid_q && known && lower_over && upper_over && faces_over;
   assign item_out_o = done;
 
   assign birth_o = done && all_i && refined && !last_step_i;
-  assign sent_o = done && vertex_needed;
   assign birth_vertex_o = number;
   assign birth_position_o = point;
 
   always_ff @(posedge clk_i) begin
     if (done || !valid_q || !known) begin
-      lower_done_q  <= 1'b0;
-      upper_done_q  <= 1'b0;
-      vertex_done_q <= 1'b0;
-      face_done_q   <= 1'b0;
+      lower_done_q <= 1'b0;
+      upper_done_q <= 1'b0;
     end else begin
-      lower_done_q  <= lower_over;
-      upper_done_q  <= upper_over;
-      vertex_done_q <= vertex_over;
-      face_done_q   <= face_over;
+      lower_done_q <= lower_over;
+      upper_done_q <= upper_over;
     end
-    if (done) vertex_sent_q <= !last_q && (vertex_needed || (!first_q && vertex_sent_q));
   end
 
   assign active_o = fold_active || valid_q || lower_active || upper_active;

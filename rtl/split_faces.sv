@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// split_faces: the part of split_write that sends what is final of an item, as ops for emit.
+//
+//   item           a face that is not refined      a refined face
+//   edge v -> w    (any)                           kept             replaced, in the last step
+//   op             the face: a quad's FACES,       new vertex F,    FACES: the child quad
+//                  an n-gon's CORNER               FACES: the       (w, F, v, G), where it is
+//                                                  triangle         numbered
+//                                                  (v, w, F)
+//
+//   * An item is at most one VERTEX op and one FACES or CORNER op, in this order. A FACES op has a
+//     slot for each edge.
+//   * The new vertex is sent before its face's first triangle, but in the last step, when smooth
+//     sent it. In generation 0 (quads_i low) an item is a corner, and of its edges only edge 0
+//     counts: the n-gon sends its vertex once.
+//   * An item is there while valid_i and leaves with done_i, which needs over_o: what it has to
+//     send has been taken, or is in this cycle. The item may not change before done_i. sent_o:
+//     with done_i, its new vertex was sent here.
+
+module split_faces #(
+    parameter int unsigned VW = 19  // width of a vertex number
+) (
+    input logic clk_i,
+
+    input logic quads_i,
+    input logic last_step_i,
+
+    // the item
+    input  logic            valid_i,
+    input  logic            done_i,
+    output logic            over_o,
+    output logic            sent_o,
+    input  logic            first_i,            // of its face
+    input  logic            last_i,
+    input  logic [     7:0] sides_i,
+    input  logic            candidate_i,
+    input  logic            refined_i,
+    input  logic            selected_i,
+    input  logic [  VW-1:0] number_i,           // of the new vertex, F
+    input  logic [   127:0] point_i,
+    input  logic [4*VW-1:0] origin_i,           // of each edge: v
+    input  logic [4*VW-1:0] next_origin_i,      // w
+    input  logic [     3:0] replaced_i,
+    input  logic [     3:0] lower_i,
+    input  logic [     3:0] beyond_selected_i,
+    input  logic [4*VW-1:0] beyond_number_i,    // G
+
+    // to emit
+    output logic         op_valid_o,
+    input  logic         op_ready_i,
+    output logic [  2:0] op_kind_o,
+    output logic [ 23:0] op_number_o,
+    output logic [127:0] op_position_o,
+    output logic [  3:0] op_mask_o,
+    output logic [  3:0] op_triangle_o,
+    output logic [  3:0] op_child_o,
+    output logic [  3:0] op_candidate_o,
+    output logic [383:0] op_vertex_o,
+    output logic [  7:0] op_sides_o,
+    output logic         op_first_o,
+    output logic         op_last_o
+);
+
+  // --- What there is to send --------------------------------------------------------------------------
+  logic [3:0] lanes, kept, leaving;  // edges that yield a triangle; or, in the last step, a quad
+  logic vertex_needed, face_needed;
+  logic vertex_sent_q;  // generation 0: with an earlier corner
+
+  assign lanes = quads_i ? 4'b1111 : 4'b0001;
+  assign kept = refined_i ? lanes & ~replaced_i : 4'b0000;
+  assign leaving = refined_i && last_step_i ? replaced_i & lower_i : 4'b0000;
+  assign vertex_needed = kept != 4'b0000 && !last_step_i && (first_i || !vertex_sent_q);
+  assign face_needed = !refined_i || (kept | leaving) != 4'b0000;
+
+  // --- One op after the other ---------------------------------------------------------------------------
+  logic vertex_done_q, face_done_q, vertex_now, vertex_over, face_over;
+
+  assign vertex_now = vertex_needed && !vertex_done_q;
+  assign vertex_over = !vertex_needed || vertex_done_q || (op_ready_i && vertex_now);
+  assign face_over = !face_needed || face_done_q || (op_ready_i && !vertex_now);
+  assign over_o = vertex_over && face_over;
+  assign sent_o = done_i && vertex_needed;
+
+  always_ff @(posedge clk_i) begin
+    if (done_i || !valid_i) begin
+      vertex_done_q <= 1'b0;
+      face_done_q   <= 1'b0;
+    end else begin
+      vertex_done_q <= vertex_over;
+      face_done_q   <= face_over;
+    end
+    if (done_i) vertex_sent_q <= !last_i && (vertex_needed || (!first_i && vertex_sent_q));
+  end
+
+  // --- The op -------------------------------------------------------------------------------------------
+  assign op_valid_o = valid_i && (vertex_now || (face_needed && !face_done_q));
+  assign op_kind_o = vertex_now ? 3'(hs_pkg::OP_VERTEX) :
+      refined_i || quads_i ? 3'(hs_pkg::OP_FACES) : 3'(hs_pkg::OP_CORNER);
+  assign op_number_o = refined_i ? 24'(number_i) : 24'(origin_i[0+:VW]);
+  assign op_position_o = point_i;
+  assign op_mask_o = refined_i ? kept | leaving : 4'b0001;
+  assign op_triangle_o = refined_i ? kept : 4'b0000;
+  assign op_child_o = leaving;
+  assign op_candidate_o =
+      refined_i ? leaving & beyond_selected_i & {4{selected_i}} : {3'b000, candidate_i};
+  assign op_sides_o = sides_i;
+  assign op_first_o = first_i;
+  assign op_last_o = last_i;
+
+  always_comb begin
+    for (int i = 0; i < 4; i++) begin
+      logic [23:0] v, w, f, g;
+      v = 24'(origin_i[i*VW+:VW]);
+      w = 24'(next_origin_i[i*VW+:VW]);
+      f = 24'(number_i);
+      g = 24'(beyond_number_i[i*VW+:VW]);
+      op_vertex_o[i*96+:96] = kept[i] ? {24'd0, f, w, v} : {g, v, f, w};
+    end
+    if (!refined_i)
+      for (int k = 0; k < 4; k++) op_vertex_o[k*24+:24] = 24'(origin_i[k*VW+:VW]);
+  end
+
+endmodule
