@@ -7,8 +7,8 @@
 //   * A vertex that no item of this generation touched before starts from nothing: its mark word's
 //     tag is not generation_i. Nothing is ever cleared.
 //   * sum_i: sums and counts are kept too; without it the sum memory is not touched.
-//   * Rate: that of scatter. Written a cycle after the bank's read; a vertex may be touched in every
-//     cycle: the word just written is forwarded.
+//   * Rate: an item a cycle, one cycle more for each conflict. Written two cycles after the bank's
+//     read; a vertex may be touched in every cycle: the word just written is forwarded.
 //   * full_o: a vertex got its 256th corner, the only lane of the item that was tagged full_item_o.
 //     Only for generation 0; its count stays void.
 //   * active_o: something is not yet written.
@@ -147,30 +147,15 @@ module accumulate #(
     assign sum_wr_data_o[b*168+:168] = update_q[b] && sum_i ? new_sum : '0;
   end
 
-  // --- The item whose lane is being updated: of items with lane 0 only, which keep their order ------
-  logic [TAG_WIDTH-1:0] tag_head, tag_q;
-  logic tag_there;
+  // --- The item whose lane is being updated; it has one lane where it matters ----------------------
+  logic [TAG_WIDTH-1:0] tag_1, tag_2;
 
-  /* verilator lint_off PINCONNECTEMPTY */
-  fifo #(
-      .WIDTH(TAG_WIDTH),
-      .DEPTH(16)
-  ) u_tags (
-      .clk_i,
-      .rst_i,
-      .in_valid_i(in_valid_i && in_ready_o && in_mask_i == 4'b0001),
-      .in_ready_o(),  // as many as lane 0 has words
-      .in_data_i(in_tag_i),
-      .out_valid_o(tag_there),
-      .out_ready_i(en != '0),
-      .out_data_o(tag_head),
-      .level_o()
-  );
-  /* verilator lint_on PINCONNECTEMPTY */
-
-  always_ff @(posedge clk_i) if (tag_there) tag_q <= tag_head;
+  always_ff @(posedge clk_i) begin
+    if (in_valid_i && in_ready_o) tag_1 <= in_tag_i;
+    tag_2 <= tag_1;
+  end
   assign full_o = |full && sum_i;
-  assign full_item_o = tag_q;
+  assign full_item_o = tag_2;
   assign active_o = scatter_active || update_q != '0;
 
 endmodule

@@ -3,22 +3,18 @@
 // Sends up to four words of an item to the banks that they belong to.
 //
 //   * An item is taken in a cycle with in_valid_i and in_ready_o: a mask of the lanes that send a
-//     word, their word numbers, and the words. The banks see them from the next cycle on: en_o,
-//     row_o and data_o, at most a word a bank and cycle.
-//   * A lane's words go out in order, but the lanes do not wait for each other: the order in which
-//     words of different lanes reach a bank is not given. Of the lanes that want the same bank in
-//     the same cycle the lowest gets it; the others wait (conflict_o).
-//   * Rate: at most an item a cycle; less while a lane has WINDOW words waiting.
-//   * active_o: a word is inside.
+//     word, their word numbers, and the words. The banks see it from the next cycle on: en_o, row_o
+//     and data_o, a word a bank and cycle, lanes of the same bank in ascending order.
+//   * Rate: an item a cycle if its lanes' banks differ; else as many cycles as the busiest bank has
+//     lanes (conflict_o in each cycle beyond the first).
+//   * active_o: an item is inside.
 
 module scatter #(
     // Bits of a word.
     parameter int unsigned WIDTH = 8,
     // Rows of a bank and banks, as powers of two.
     parameter int unsigned ROW_BITS = 16,
-    parameter int unsigned BANK_BITS = 3,
-    // Words that a lane holds; a power of two.
-    parameter int unsigned WINDOW = 16
+    parameter int unsigned BANK_BITS = 3
 ) (
     input logic clk_i,
     input logic rst_i,
@@ -41,44 +37,44 @@ module scatter #(
 
   localparam int unsigned IB = ROW_BITS + BANK_BITS;
 
-  logic take;
-  logic [3:0] room, waiting, grant;
-  logic [4*IB-1:0] index;
-  logic [4*WIDTH-1:0] word;
+  logic valid_q, issued;
+  logic [3:0] pending_q, grant;
+  logic [4*IB-1:0] index_q;
+  logic [4*WIDTH-1:0] word_q;
   logic [4*BANK_BITS-1:0] bank;
 
-  assign in_ready_o = &room;
-  assign take = in_valid_i && in_ready_o;
-
-  for (genvar i = 0; i < 4; i++) begin : g_lane
-    /* verilator lint_off PINCONNECTEMPTY */
-    fifo #(
-        .WIDTH(IB + WIDTH),
-        .DEPTH(WINDOW)
-    ) u_words (
-        .clk_i,
-        .rst_i,
-        .in_valid_i(take && in_mask_i[i]),
-        .in_ready_o(room[i]),
-        .in_data_i({in_data_i[i*WIDTH+:WIDTH], in_index_i[i*IB+:IB]}),
-        .out_valid_o(waiting[i]),
-        .out_ready_i(grant[i]),
-        .out_data_o({word[i*WIDTH+:WIDTH], index[i*IB+:IB]}),
-        .level_o()
-    );
-    /* verilator lint_on PINCONNECTEMPTY */
-    assign bank[i*BANK_BITS+:BANK_BITS] = index[i*IB+:BANK_BITS];
+  for (genvar i = 0; i < 4; i++) begin : g_bank_of
+    assign bank[i*BANK_BITS+:BANK_BITS] = index_q[i*IB+:BANK_BITS];
   end
 
   lanes #(
       .BANK_BITS(BANK_BITS)
   ) u_lanes (
-      .pending_i(waiting),
+      .pending_i(pending_q),
       .bank_i(bank),
       .grant_o(grant)
   );
-  assign conflict_o = waiting != grant;
-  assign active_o = waiting != 4'd0;
+
+  assign issued = (pending_q & ~grant) == 4'd0;
+  assign conflict_o = valid_q && !issued;
+  assign in_ready_o = !valid_q || issued;
+  assign active_o = valid_q;
+
+  always_ff @(posedge clk_i) begin
+    if (in_valid_i && in_ready_o) begin
+      valid_q <= 1'b1;
+      pending_q <= in_mask_i;
+      index_q <= in_index_i;
+      word_q <= in_data_i;
+    end else begin
+      pending_q <= pending_q & ~grant;
+      if (issued) valid_q <= 1'b0;
+    end
+    if (rst_i) begin
+      valid_q   <= 1'b0;
+      pending_q <= 4'd0;
+    end
+  end
 
   always_comb begin
     en_o   = '0;
@@ -88,8 +84,8 @@ module scatter #(
       if (grant[i]) begin
         en_o[bank[i*BANK_BITS+:BANK_BITS]] = 1'b1;
         row_o[32'(bank[i*BANK_BITS+:BANK_BITS])*ROW_BITS+:ROW_BITS] =
-            index[i*IB+BANK_BITS+:ROW_BITS];
-        data_o[32'(bank[i*BANK_BITS+:BANK_BITS])*WIDTH+:WIDTH] = word[i*WIDTH+:WIDTH];
+            index_q[i*IB+BANK_BITS+:ROW_BITS];
+        data_o[32'(bank[i*BANK_BITS+:BANK_BITS])*WIDTH+:WIDTH] = word_q[i*WIDTH+:WIDTH];
       end
   end
 
