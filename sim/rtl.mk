@@ -47,9 +47,18 @@ traces: $(BUILD)/halfstep ## input and expectations of all traces, anew from the
 	$< trace make --all
 
 # Tests that run the pipeline are named test_rtl*.c.
-RTL_TESTS := $(filter $(BUILD)/test_rtl%,$(TESTS))
+RTL_TESTS := $(filter-out $(BUILD)/test_rtl_shim,$(filter $(BUILD)/test_rtl%,$(TESTS)))
 $(RTL_TESTS): $(BUILD)/test_%: $(BUILD)/tests/test_%.o $(RTL_LIBS)
 	$(LINK_RTL) -lcmocka
+
+# The shim itself is tested on a pipeline with planted faults.
+$(BUILD)/tests/broken_rtl/rtl_shim.o: sim/rtl_shim.cpp | $(BUILD)/packages
+	@mkdir -p $(@D)
+	$(CXX) $(VERILATED_FLAGS) -Itests/broken_rtl -c $< -o $@
+
+$(BUILD)/test_rtl_shim: $(BUILD)/tests/test_rtl_shim.o $(BUILD)/tests/broken_rtl/rtl_shim.o $(RUNTIME) \
+    $(BUILD)/libsim.a $(BUILD)/libhalfstep.a
+	$(CXX) $^ -o $@ -lcmocka $(LIBS) -pthread
 
 # --- Single modules -------------------------------------------------------------------------------
 # tests/test_NAME.c drives tests/NAME_top.sv through tests/NAME_shim.cpp, with the class VNAME.

@@ -533,8 +533,11 @@ bool hs_rtl_run(hs_rtl *rtl, const hs_packet *in, hs_stalls stalls, hs_packet *o
     rtl->broken = true;
     snapshot after;
     if (!stream(rtl, in, stalls, out, report, err) || !rest(rtl, in, err) ||
-        !take_snapshot(rtl, &after, err) || !account(rtl, in, after, report, err))
+        !take_snapshot(rtl, &after, err))
         return false;
+    if (rtl->top->m_axis_tvalid) /* late, when it was at rest already */
+        return break_of_rule(rtl, in, "a beat behind the packet's last one", err);
+    if (!account(rtl, in, after, report, err)) return false;
     rtl->before = after;
     rtl->broken = false;
     return true;
