@@ -98,7 +98,7 @@ class Vhalfstep {
         cycles_++;
         if (late_) late_++;
         waited_ = m_axis_tvalid && !m_axis_tready;
-        if (is(FAULT_ACTIVE_OUTSIDE) && !whole_ && beats_.empty()) outside_ += 1000;
+        if (is(FAULT_ACTIVE_OUTSIDE) && !whole_ && beats_.empty()) outside_ += 100;
         if (m_axis_tvalid && m_axis_tready && whole_) {
             if (is(FAULT_ASSERTION))
                 Verilated::threadContextp()->gotError(true); /* as $error does */
@@ -159,6 +159,7 @@ class Vhalfstep {
         case HS_REG_BUSY:
             return whole_ || is(FAULT_STAYS_BUSY);
         case HS_REG_CYCLES:
+            sampled_outside_ = outside_;
             return sampled_ = cycles_ - (is(FAULT_CYCLES) && taken_ > 0);
         default:
             break;

@@ -28,7 +28,7 @@ enum fault {
     FAULT_STAYS_BUSY,     /* the busy register never falls */
     FAULT_CYCLES,         /* the cycle counter misses one */
     FAULT_ACTIVITY,       /* a cycle of split was neither busy nor idle */
-    FAULT_ACTIVE_OUTSIDE, /* emit counts as busy, a thousand times a cycle, when there is no view */
+    FAULT_ACTIVE_OUTSIDE, /* emit counts as busy where there is no view, and much */
     FAULT_ITEM_LOST,      /* select takes an item and gives none */
     FAULT_WORD,           /* a bit of a word is wrong: for the comparison to find */
     FAULTS
