@@ -141,7 +141,7 @@ module emit #(
   assign {vertex, mask, triangle, child, candidate, sides, first, last, number, generation, kind} =
       this_q;
 
-  // --- What vertices and faces become --------------------------------------------------------------
+  // --- What vertices and faces become ------------------------------------------------------------
   logic go_vertex, go_face, vertex_waits;
   logic [511:0] vertex_records, face_records;
   logic [2:0] vertex_count, face_count;  // records

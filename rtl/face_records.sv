@@ -110,7 +110,7 @@ module face_records (
     end
   end
 
-  // --- The one or the other -----------------------------------------------------------------------------------
+  // --- The one or the other ----------------------------------------------------------------------
   always_comb begin
     records_o = faces;
     count_o = face_count;

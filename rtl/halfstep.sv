@@ -81,7 +81,7 @@ module halfstep #(
   logic [STAGES-1:0] busy, starved, blocked;
   logic [3*STAGES-1:0] items_in, items_out;
 
-  // --- The view, from receive and quantize ---------------------------------------------------------------
+  // --- The view, from receive and quantize -------------------------------------------------------
   logic uniform, guarded, closed;
   logic [7:0] front_depth, silhouette_depth, uniform_depth, forced_max, receive_status;
   logic [31:0] receive_position;
@@ -91,13 +91,13 @@ module halfstep #(
   logic [511:0] matrix;
   logic signed [9:0] exponent;
 
-  // --- The generation, from the sequencer ----------------------------------------------------------------
+  // --- The generation, from the sequencer --------------------------------------------------------
   logic [7:0] generation;
   logic odd, quads, side, all, last_step, finish, refused;
   logic [QW:0] items;
   logic [VW:0] vertices, new_vertices;
 
-  // --- Registers and counters ----------------------------------------------------------------------------
+  // --- Registers and counters --------------------------------------------------------------------
   // The registers are as wide as the largest capacity needs.
   /* verilator lint_off UNUSEDSIGNAL */
   logic [24:0] limit_vertices, limit_quads;
@@ -114,11 +114,10 @@ module halfstep #(
       .clk_i, .rst_i, .s_axil_awvalid, .s_axil_awready, .s_axil_awaddr, .s_axil_wvalid,
       .s_axil_wready, .s_axil_wdata, .s_axil_wstrb, .s_axil_bvalid, .s_axil_bready, .s_axil_bresp,
       .s_axil_arvalid, .s_axil_arready, .s_axil_araddr, .s_axil_rvalid, .s_axil_rready,
-      .s_axil_rdata, .s_axil_rresp, .limit_vertices_o(limit_vertices),
-      .limit_quads_o(limit_quads), .busy_i(view_busy), .view_done_i(view_done), .status_i(status),
-      .position_i(position), .sample_o(sample), .cycles_i(cycles), .cycles_high_i(cycles_high),
-      .conflicts_i(conflicts), .counter_address_o(counter_address), .counter_i(counter),
-      .counter_known_i(counter_known)
+      .s_axil_rdata, .s_axil_rresp, .limit_vertices_o(limit_vertices), .limit_quads_o(limit_quads),
+      .busy_i(view_busy), .view_done_i(view_done), .status_i(status), .position_i(position),
+      .sample_o(sample), .cycles_i(cycles), .cycles_high_i(cycles_high), .conflicts_i(conflicts),
+      .counter_address_o(counter_address), .counter_i(counter), .counter_known_i(counter_known)
   );
 
   counters #(
@@ -130,7 +129,7 @@ module halfstep #(
       .data_o(counter), .known_o(counter_known)
   );
 
-  // --- receive, transform, quantize ----------------------------------------------------------------------
+  // --- receive, transform, quantize --------------------------------------------------------------
   logic kick_receive, receive_done, vertices_done, receive_in, receive_out;
   logic raw_valid, clip_valid, transform_busy, overflow;
   logic [VW-1:0] raw_index, clip_index;
@@ -173,9 +172,9 @@ module halfstep #(
       .VW(VW)
   ) u_transform (
       .clk_i, .rst_i, .clear_i(kick_receive), .valid_i(raw_valid), .index_i(raw_index),
-      .record_i(raw), .matrix_i(matrix), .valid_o(clip_valid), .index_o(clip_index),
-      .clip_o(clip), .overflow_o(overflow), .overflow_row_o(overflow_row),
-      .magnitude_o(magnitude), .busy_o(transform_busy)
+      .record_i(raw), .matrix_i(matrix), .valid_o(clip_valid), .index_o(clip_index), .clip_o(clip),
+      .overflow_o(overflow), .overflow_row_o(overflow_row), .magnitude_o(magnitude),
+      .busy_o(transform_busy)
   );
 
   assign busy[hs_pkg::STAGE_transform] = raw_valid;
@@ -194,7 +193,7 @@ module halfstep #(
       .item_out_o(quantize_out)
   );
 
-  // --- The generations -------------------------------------------------------------------------------------
+  // --- The generations ---------------------------------------------------------------------------
   logic kick_classify, kick_check, kick_select, kick_guard, kick_smooth, kick_split;
   logic classify_active, check_active, select_active, guard_active, smooth_active;
   logic split_active, check_error, valence_error, send_valid, send_ready, split_op;
@@ -244,7 +243,7 @@ module halfstep #(
       .item_out_o(refine_out), .conflict_o(conflict)
   );
 
-  // --- emit: the sequencer, smooth and split send in turn ------------------------------------------------
+  // --- emit: the sequencer, smooth and split send in turn ----------------------------------------
   logic control_op, control_trailer, op_valid, op_ready, emit_done;
   logic [7:0] control_generation;
   logic [2:0] op_kind;
@@ -265,14 +264,14 @@ module halfstep #(
       .op_triangle_i(split_triangle), .op_child_i(split_child), .op_candidate_i(split_candidate),
       .op_vertex_i(split_op_vertex), .op_sides_i(split_sides), .op_first_i(split_first),
       .op_last_i(split_last), .view_i(view), .exponent_i(refused ? 10'sd0 : exponent),
-      .status_i(status), .position_i(position), .done_o(emit_done), .m_axis_tvalid,
-      .m_axis_tready, .m_axis_tdata, .m_axis_tkeep, .m_axis_tlast, .m_axis_tid,
-      .busy_o(busy[hs_pkg::STAGE_emit]), .starved_o(starved[hs_pkg::STAGE_emit]),
-      .blocked_o(blocked[hs_pkg::STAGE_emit]), .items_in_o(items_in[3*hs_pkg::STAGE_emit+:3]),
+      .status_i(status), .position_i(position), .done_o(emit_done), .m_axis_tvalid, .m_axis_tready,
+      .m_axis_tdata, .m_axis_tkeep, .m_axis_tlast, .m_axis_tid, .busy_o(busy[hs_pkg::STAGE_emit]),
+      .starved_o(starved[hs_pkg::STAGE_emit]), .blocked_o(blocked[hs_pkg::STAGE_emit]),
+      .items_in_o(items_in[3*hs_pkg::STAGE_emit+:3]),
       .items_out_o(items_out[3*hs_pkg::STAGE_emit+:3])
   );
 
-  // --- The sequencer -------------------------------------------------------------------------------------
+  // --- The sequencer -----------------------------------------------------------------------------
   sequencer #(
       .VW(VW), .QW(QW)
   ) u_sequencer (
@@ -281,8 +280,8 @@ module halfstep #(
       .kick_receive_o(kick_receive), .receive_item_i(receive_in), .receive_done_i(receive_done),
       .vertices_done_i(vertices_done), .transform_busy_i(transform_busy),
       .kick_quantize_o(kick_quantize), .quantize_done_i(quantize_done),
-      .receive_status_i(receive_status), .receive_position_i(receive_position),
-      .uniform_i(uniform), .front_depth_i(front_depth), .silhouette_depth_i(silhouette_depth),
+      .receive_status_i(receive_status), .receive_position_i(receive_position), .uniform_i(uniform),
+      .front_depth_i(front_depth), .silhouette_depth_i(silhouette_depth),
       .uniform_depth_i(uniform_depth), .forced_max_i(forced_max), .closed_i(closed),
       .vertices_i(vertices_in), .faces_i(faces_in), .halfedges_i(halfedges_in),
       .kick_check_o(kick_check), .kick_classify_o(kick_classify),
@@ -299,7 +298,7 @@ module halfstep #(
       .last_o(last_step), .finish_o(finish), .refused_o(refused)
   );
 
-  // --- Counters ------------------------------------------------------------------------------------------
+  // --- Counters ----------------------------------------------------------------------------------
   assign items_in[3*hs_pkg::STAGE_receive+:3] = 3'(receive_in);
   assign items_out[3*hs_pkg::STAGE_receive+:3] = 3'(receive_out);
   assign items_in[3*hs_pkg::STAGE_transform+:3] = 3'(raw_valid);

@@ -4,7 +4,7 @@
 // vertices to transform and its corners to the corner memory. docs/stream.md defines the packet.
 //
 //   beats -> unpack -> a record a cycle -+-> header registers
-//                                        +-> receive_check, crc32: the verdict
+//                                        +-> receive_verdict: what is wrong, and where
 //                                        +-> vertices to transform, corners to memory
 //
 //   * start_i allows one packet; it may come from done_o's cycle on. Until then, and between a
@@ -106,19 +106,8 @@ module receive #(
   unpack #(
       .PORT_RECORDS(PORT_RECORDS)
   ) i_unpack (
-      .clk_i(clk_i),
-      .rst_i(rst_i),
-      .s_axis_tvalid(s_axis_tvalid),
-      .s_axis_tready(s_axis_tready),
-      .s_axis_tdata(s_axis_tdata),
-      .s_axis_tkeep(s_axis_tkeep),
-      .s_axis_tlast(s_axis_tlast),
-      .s_axis_tid(s_axis_tid),
-      .start_i(start_i),
-      .valid_o(take),
-      .record_o(record),
-      .end_o(ends),
-      .view_o(view_o)
+      .clk_i, .rst_i, .s_axis_tvalid, .s_axis_tready, .s_axis_tdata, .s_axis_tkeep, .s_axis_tlast,
+      .s_axis_tid, .start_i, .valid_o(take), .record_o(record), .end_o(ends), .view_o
   );
 
   // --- What the record is. A packet is at work from start_i to its last record, then drains.
@@ -196,81 +185,30 @@ module receive #(
     end
   end
 
-  // --- Verdict. Records come in order, so an error of a record is behind every earlier one, and
-  // an overflow, always of an earlier record, before every error of a record. A smaller position
-  // replaces a larger one; NO_POSITION is the largest.
+  // --- The verdict, and the end of the work.
 
-  logic [31:0] crc_q, crc_d;
-  logic check_bad, cut_short;
-  logic [1:0] bad_word;
-  logic [7:0] bad_status;
-  logic [31:0] cut_position, overflow_position;
+  logic cut_short;
 
-  crc32 i_crc32 (
-      .enable_i(1'b1),
-      .crc_i   (crc_q),
-      .data_i  (record),
-      .crc_o   (crc_d)
+  receive_verdict #(
+      .VERTICES(VERTICES), .QUADS(QUADS)
+  ) i_verdict (
+      .clk_i, .start_i, .take_i(take), .record_i(record), .number_i(number_q),
+      .at_view_i(at_q == AT_VIEW), .at_counts_i(at_q == AT_COUNTS),
+      .at_matrix_i(at_q == AT_MATRIX), .at_vertex_i(at_q == AT_VERTEX),
+      .at_corner_i(at_q == AT_CORNER), .at_end_i(at_q == AT_END),
+      .at_behind_i(at_q == AT_BEHIND), .cut_i(cut_short), .limit_vertices_i, .limit_quads_i,
+      .vertices_i(vertices_o), .faces_i(faces_o), .halfedges_i(halfedges_o),
+      .halfedge_i(halfedge_q), .corner_i(corner_q), .face_i(face_q), .sides_i(sides_q),
+      .forced_i(forced_q), .overflow_i, .overflow_index_i, .overflow_row_i, .bad_o(bad),
+      .status_o, .position_o
   );
 
-  receive_check #(
-      .VERTICES(VERTICES),
-      .QUADS(QUADS)
-  ) i_check (
-      .record_i(record),
-      .at_view_i(at_q == AT_VIEW),
-      .at_counts_i(at_q == AT_COUNTS),
-      .at_matrix_i(at_q == AT_MATRIX),
-      .at_vertex_i(at_q == AT_VERTEX),
-      .at_corner_i(at_q == AT_CORNER),
-      .at_end_i(at_q == AT_END),
-      .at_behind_i(at_q == AT_BEHIND),
-      .limit_vertices_i(limit_vertices_i),
-      .limit_quads_i(limit_quads_i),
-      .vertices_i(vertices_o),
-      .faces_i(faces_o),
-      .halfedges_i(halfedges_o),
-      .halfedge_i(halfedge_q),
-      .corner_i(corner_q),
-      .face_i(face_q),
-      .sides_i(sides_q),
-      .forced_i(forced_q),
-      .crc_i(crc_q),
-      .bad_o(check_bad),
-      .word_o(bad_word),
-      .status_o(bad_status)
-  );
-
-  assign bad = take && check_bad;
   assign cut_short = ends && at_d != AT_BEHIND && at_d != AT_DISCARD;
-  assign cut_position = {number_q + 30'(take), 2'd0};
-  assign overflow_position = {
-    hs_pkg::HEADER_RECORDS[29:0] + hs_pkg::MATRIX_RECORDS[29:0] + 30'(overflow_index_i),
-    overflow_row_i
-  };
   // transform_busy_i follows a vertex by a cycle.
   assign finish = drain_q && !vertex_valid_o && !transform_busy_i;
 
   always_ff @(posedge clk_i) begin
-    if (take) crc_q <= crc_d;
-    if (bad) begin
-      status_o   <= bad_status;
-      position_o <= {number_q, bad_word};
-    end
-    if (cut_short) begin
-      status_o   <= hs_pkg::STATUS_TRUNCATED;
-      position_o <= cut_position;
-    end
-    if (overflow_i && overflow_position < position_o) begin
-      status_o   <= hs_pkg::STATUS_OVERFLOW;
-      position_o <= overflow_position;
-    end
     done_o <= finish;
-    if (start_i) begin
-      crc_q <= 32'hffffffff;
-      status_o <= hs_pkg::STATUS_OK;
-      position_o <= hs_pkg::NO_POSITION;
-    end
     if (rst_i) done_o <= 1'b0;
   end
 

@@ -94,9 +94,9 @@ module refine #(
   localparam int unsigned QR = QW - BANK_BITS;
   localparam int unsigned HALF = 2 * VW + 2 * HW + 11;
 
-  // --- Memories: who uses them is told below -------------------------------------------------------------
-  logic [BANKS-1:0] gather_rd_en, classify_mark_rd_en, select_mark_rd_en, mark_wr_en, sum_rd_en, sum_wr_en;
-  logic [BANKS-1:0] chosen_wr_en, chosen_rd_en, held_wr_en, chosen, held;
+  // --- Vertex memory: quantize, guard and split give birth to vertices, one after the other ------
+  logic [BANKS-1:0] gather_rd_en, classify_mark_rd_en, select_mark_rd_en, mark_wr_en;
+  logic [BANKS-1:0] sum_rd_en, sum_wr_en, chosen_wr_en, chosen_rd_en, held_wr_en, chosen, held;
   logic [VR*BANKS-1:0] gather_rd_row, classify_mark_rd_row, select_mark_rd_row, mark_wr_row;
   logic [VR*BANKS-1:0] sum_rd_row, sum_wr_row, chosen_wr_row, chosen_rd_row, held_wr_row;
   logic [256*BANKS-1:0] gathered;
@@ -111,7 +111,6 @@ module refine #(
   logic [VW-1:0] guard_vertex, split_vertex, birth_vertex;
   logic [127:0] guard_position, split_position, birth_position;
 
-  // quantize, guard and split give birth to vertices_i, at different times.
   always_comb begin
     birth_vertex = quantize_wr_index_i;
     birth_position = quantize_wr_data_i;
@@ -129,29 +128,31 @@ module refine #(
       .VW(VW), .BANK_BITS(BANK_BITS)
   ) u_vertices (
       .clk_i, .load_wr_en_i(clip_valid_i), .load_wr_index_i(clip_index_i), .load_wr_data_i(clip_i),
-      .quantize_rd_en_i(quantize_rd_i), .quantize_rd_index_i(quantize_rd_index_i),
-      .single_position_o(single_position_o), .birth_i(quantize_wr_i || guard_birth || split_birth),
-      .sent_i(split_sent), .birth_vertex_i(birth_vertex), .birth_position_i(birth_position),
-      .birth_generation_i(quantize_wr_i ? 8'hff : generation_i), .generation_i(generation_i),
+      .quantize_rd_en_i(quantize_rd_i), .quantize_rd_index_i, .single_position_o,
+      .birth_i(quantize_wr_i || guard_birth || split_birth), .sent_i(split_sent),
+      .birth_vertex_i(birth_vertex), .birth_position_i(birth_position),
+      .birth_generation_i(quantize_wr_i ? 8'hff : generation_i), .generation_i,
       .gather_rd_en_i(gather_rd_en), .gather_rd_row_i(gather_rd_row), .gather_old_i(!odd_i),
       .gather_rd_data_o(gathered), .mark_rd_en_i(classify_mark_rd_en | select_mark_rd_en),
       .mark_rd_row_i(classify_mark_rd_row | select_mark_rd_row), .mark_rd_data_o(mark),
       .mark_wr_en_i(mark_wr_en), .mark_wr_row_i(mark_wr_row), .mark_wr_data_i(mark_wr_data),
       .sum_rd_en_i(sum_rd_en), .sum_rd_row_i(sum_rd_row), .sum_rd_data_o(sum),
       .sum_wr_en_i(sum_wr_en), .sum_wr_row_i(sum_wr_row), .sum_wr_data_i(sum_wr_data),
-      .chosen_wr_en_i(chosen_wr_en), .chosen_wr_row_i(chosen_wr_row),
-      .chosen_rd_en_i(chosen_rd_en), .chosen_rd_row_i(chosen_rd_row), .chosen_rd_data_o(chosen),
-      .held_wr_en_i(held_wr_en), .held_wr_row_i(held_wr_row), .row_rd_en_i(smooth_row_rd),
-      .row_rd_i(smooth_row), .held_rd_data_o(held), .smooth_rd_en_i(smooth_rd),
-      .smooth_rd_index_i(smooth_rd_index), .single_sum_o(single_sum), .smooth_wr_i(smooth_wr),
-      .smooth_wr_vertex_i(smooth_wr_vertex), .smooth_wr_move_i(smooth_move),
-      .smooth_wr_old_i(smooth_old), .smooth_wr_sent_i(smooth_sent),
+      .chosen_wr_en_i(chosen_wr_en), .chosen_wr_row_i(chosen_wr_row), .chosen_rd_en_i(chosen_rd_en),
+      .chosen_rd_row_i(chosen_rd_row), .chosen_rd_data_o(chosen), .held_wr_en_i(held_wr_en),
+      .held_wr_row_i(held_wr_row), .row_rd_en_i(smooth_row_rd), .row_rd_i(smooth_row),
+      .held_rd_data_o(held), .smooth_rd_en_i(smooth_rd), .smooth_rd_index_i(smooth_rd_index),
+      .single_sum_o(single_sum), .smooth_wr_i(smooth_wr), .smooth_wr_vertex_i(smooth_wr_vertex),
+      .smooth_wr_move_i(smooth_move), .smooth_wr_old_i(smooth_old), .smooth_wr_sent_i(smooth_sent),
       .smooth_wr_position_i(smooth_position), .smooth_wr_before_i(smooth_before)
   );
 
+  // --- Record and face memories: the stages read them in turn ------------------------------------
   logic classify_rd, select_rd, guard_rd, split_rd, candidate, record_last;
   logic [QW-1:0] classify_item, select_item, guard_item, split_item;
-  logic [QW-1:0] select_face, guard_face, split_face;
+  logic [QW-1:0] select_face, guard_face, split_face, record_item, face_item;
+  logic smooth_face_rd;
+  logic [VW-1:0] smooth_face;
   logic [4*VW-1:0] origin;
   logic [4*HW-1:0] twin;
   logic [3:0] border;
@@ -162,38 +163,6 @@ module refine #(
   logic [BANKS-1:0] lower_wr_en, upper_wr_en;
   logic [QR*BANKS-1:0] lower_wr_row, upper_wr_row;
   logic [HALF*BANKS-1:0] lower_wr_data, upper_wr_data;
-
-  record_memory #(
-      .VW(VW), .QW(QW), .BANK_BITS(BANK_BITS)
-  ) u_records (
-      .clk_i, .side_i(side_i), .quads_i(quads_i), .corner_valid_i(corner_valid_i),
-      .corner_index_i(corner_index_i), .corner_origin_i(corner_origin_i), .corner_twin_i(corner_twin_i),
-      .corner_border_i(corner_border_i), .corner_forced_i(corner_forced_i),
-      .corner_first_i(corner_first_i), .corner_last_i(corner_last_i),
-      .rd_en_i(classify_rd || select_rd || guard_rd || split_rd), .rd_item_i(record_item),
-      .origin_o(origin), .twin_o(twin), .border_o(border), .candidate_o(candidate),
-      .forced_o(forced), .last_o(record_last), .a_rd_en_i(check_a_rd),
-      .a_rd_index_i(check_a_index), .a_origin_o(a_origin), .a_twin_o(a_twin),
-      .a_border_o(a_border), .a_first_o(a_first), .a_last_o(a_last), .b_rd_en_i(check_b_rd),
-      .b_rd_index_i(check_b_index), .b_origin_o(b_origin), .b_twin_o(b_twin),
-      .b_border_o(b_border), .lower_wr_en_i(lower_wr_en), .lower_wr_row_i(lower_wr_row),
-      .lower_wr_data_i(lower_wr_data), .upper_wr_en_i(upper_wr_en), .upper_wr_row_i(upper_wr_row),
-      .upper_wr_data_i(upper_wr_data)
-  );
-
-  logic [QW-1:0] record_item, face_item;
-  logic point_valid, point_front, front, selected_valid, selected_verdict, selected;
-  logic [QW-1:0] point_face, selected_face;
-  logic [127:0] point_wr_data, point;
-  logic verdict_valid, number_wr, smooth_face_rd;
-  logic [QW-1:0] verdict_item, number_wr_item;
-  logic [VW-1:0] smooth_face;
-  logic [VW+1:0] verdict_wr_data, own_verdict;
-  logic [QW+3:0] number_wr_data;
-  logic [BANKS-1:0] verdict_rd_en, number_rd_en;
-  logic [QR*BANKS-1:0] verdict_rd_row, number_rd_row;
-  logic [(VW+2)*BANKS-1:0] verdicts;
-  logic [(QW+4)*BANKS-1:0] numbers;
 
   always_comb begin
     record_item = classify_item;
@@ -210,6 +179,33 @@ module refine #(
     if (smooth_face_rd) face_item = QW'(smooth_face);
   end
 
+  record_memory #(
+      .VW(VW), .QW(QW), .BANK_BITS(BANK_BITS)
+  ) u_records (
+      .clk_i, .side_i, .quads_i, .corner_valid_i, .corner_index_i, .corner_origin_i, .corner_twin_i,
+      .corner_border_i, .corner_forced_i, .corner_first_i, .corner_last_i,
+      .rd_en_i(classify_rd || select_rd || guard_rd || split_rd), .rd_item_i(record_item),
+      .origin_o(origin), .twin_o(twin), .border_o(border), .candidate_o(candidate),
+      .forced_o(forced), .last_o(record_last), .a_rd_en_i(check_a_rd), .a_rd_index_i(check_a_index),
+      .a_origin_o(a_origin), .a_twin_o(a_twin), .a_border_o(a_border), .a_first_o(a_first),
+      .a_last_o(a_last), .b_rd_en_i(check_b_rd), .b_rd_index_i(check_b_index),
+      .b_origin_o(b_origin), .b_twin_o(b_twin), .b_border_o(b_border), .lower_wr_en_i(lower_wr_en),
+      .lower_wr_row_i(lower_wr_row), .lower_wr_data_i(lower_wr_data), .upper_wr_en_i(upper_wr_en),
+      .upper_wr_row_i(upper_wr_row), .upper_wr_data_i(upper_wr_data)
+  );
+
+  logic point_valid, point_front, front, selected_valid, selected_verdict, selected;
+  logic [QW-1:0] point_face, selected_face;
+  logic [127:0] point_wr_data, point;
+  logic verdict_valid, number_wr;
+  logic [QW-1:0] verdict_item, number_wr_item;
+  logic [VW+1:0] verdict_wr_data, own_verdict;
+  logic [QW+3:0] number_wr_data;
+  logic [BANKS-1:0] verdict_rd_en, number_rd_en;
+  logic [QR*BANKS-1:0] verdict_rd_row, number_rd_row;
+  logic [(VW+2)*BANKS-1:0] verdicts;
+  logic [(QW+4)*BANKS-1:0] numbers;
+
   face_memory #(
       .VW(VW), .QW(QW), .BANK_BITS(BANK_BITS)
   ) u_faces (
@@ -219,33 +215,30 @@ module refine #(
       .selected_wr_data_i(selected_verdict),
       .face_rd_en_i(select_rd || guard_rd || split_rd || smooth_face_rd), .face_rd_i(face_item),
       .point_o(point), .front_o(front), .selected_o(selected), .verdict_wr_en_i(verdict_valid),
-      .verdict_wr_item_i(verdict_item), .verdict_wr_data_i(verdict_wr_data),
-      .own_rd_en_i(split_rd), .own_rd_item_i(split_item), .own_o(own_verdict),
-      .verdict_rd_en_i(verdict_rd_en), .verdict_rd_row_i(verdict_rd_row),
-      .verdict_rd_data_o(verdicts), .number_wr_en_i(number_wr), .number_wr_item_i(number_wr_item),
-      .number_wr_data_i(number_wr_data), .number_rd_en_i(number_rd_en),
-      .number_rd_row_i(number_rd_row), .number_rd_data_o(numbers)
+      .verdict_wr_item_i(verdict_item), .verdict_wr_data_i(verdict_wr_data), .own_rd_en_i(split_rd),
+      .own_rd_item_i(split_item), .own_o(own_verdict), .verdict_rd_en_i(verdict_rd_en),
+      .verdict_rd_row_i(verdict_rd_row), .verdict_rd_data_o(verdicts), .number_wr_en_i(number_wr),
+      .number_wr_item_i(number_wr_item), .number_wr_data_i(number_wr_data),
+      .number_rd_en_i(number_rd_en), .number_rd_row_i(number_rd_row), .number_rd_data_o(numbers)
   );
 
-  // --- classify, and what generation_i 0 is checked for beside it ------------------------------------------
+  // --- classify; in generation 0 check_twins beside it -------------------------------------------
   logic [1:0] classify_conflict;
 
   classify #(
       .VW(VW), .QW(QW), .BANK_BITS(BANK_BITS)
   ) u_classify (
-      .clk_i, .rst_i, .start_i(kick_classify_i), .items_i(items_i), .quads_i(quads_i), .odd_i(odd_i),
-      .generation_i(generation_i), .active_o(classify_active_o), .record_rd_en_o(classify_rd),
-      .record_rd_item_o(classify_item), .record_origin_i(origin), .record_border_i(border),
-      .record_last_i(record_last), .position_rd_en_o(gather_rd_en),
-      .position_rd_row_o(gather_rd_row), .position_rd_data_i(gathered),
-      .mark_rd_en_o(classify_mark_rd_en), .mark_rd_row_o(classify_mark_rd_row),
-      .mark_rd_data_i(mark), .mark_wr_en_o(mark_wr_en), .mark_wr_row_o(mark_wr_row),
-      .mark_wr_data_o(mark_wr_data), .sum_rd_en_o(sum_rd_en), .sum_rd_row_o(sum_rd_row),
-      .sum_rd_data_i(sum), .sum_wr_en_o(sum_wr_en), .sum_wr_row_o(sum_wr_row),
-      .sum_wr_data_o(sum_wr_data), .point_valid_o(point_valid), .point_face_o(point_face),
-      .point_o(point_wr_data), .front_o(point_front), .valence_error_o(valence_error_o),
-      .valence_corner_o(valence_corner_o), .busy_o(busy_o[0]),
-      .starved_o(starved_o[0]), .blocked_o(blocked_o[0]),
+      .clk_i, .rst_i, .start_i(kick_classify_i), .items_i, .quads_i, .odd_i, .generation_i,
+      .active_o(classify_active_o), .record_rd_en_o(classify_rd), .record_rd_item_o(classify_item),
+      .record_origin_i(origin), .record_border_i(border), .record_last_i(record_last),
+      .position_rd_en_o(gather_rd_en), .position_rd_row_o(gather_rd_row),
+      .position_rd_data_i(gathered), .mark_rd_en_o(classify_mark_rd_en),
+      .mark_rd_row_o(classify_mark_rd_row), .mark_rd_data_i(mark), .mark_wr_en_o(mark_wr_en),
+      .mark_wr_row_o(mark_wr_row), .mark_wr_data_o(mark_wr_data), .sum_rd_en_o(sum_rd_en),
+      .sum_rd_row_o(sum_rd_row), .sum_rd_data_i(sum), .sum_wr_en_o(sum_wr_en),
+      .sum_wr_row_o(sum_wr_row), .sum_wr_data_o(sum_wr_data), .point_valid_o(point_valid),
+      .point_face_o(point_face), .point_o(point_wr_data), .front_o(point_front), .valence_error_o,
+      .valence_corner_o, .busy_o(busy_o[0]), .starved_o(starved_o[0]), .blocked_o(blocked_o[0]),
       .item_in_o(item_in_o[0]), .item_out_o(item_out_o[0]), .conflict_o(classify_conflict)
   );
 
@@ -254,79 +247,73 @@ module refine #(
   ) u_check_twins (
       .clk_i, .rst_i, .start_i(kick_check_i), .corners_i(items_i), .active_o(check_active_o),
       .error_o(check_error_o), .corner_o(check_corner_o), .a_rd_en_o(check_a_rd),
-      .a_rd_index_o(check_a_index), .a_origin_i(a_origin), .a_twin_i(a_twin),
-      .a_border_i(a_border), .a_first_i(a_first), .a_last_i(a_last), .b_rd_en_o(check_b_rd),
-      .b_rd_index_o(check_b_index), .b_origin_i(b_origin), .b_twin_i(b_twin),
-      .b_border_i(b_border)
+      .a_rd_index_o(check_a_index), .a_origin_i(a_origin), .a_twin_i(a_twin), .a_border_i(a_border),
+      .a_first_i(a_first), .a_last_i(a_last), .b_rd_en_o(check_b_rd), .b_rd_index_o(check_b_index),
+      .b_origin_i(b_origin), .b_twin_i(b_twin), .b_border_i(b_border)
   );
 
-  // --- select, guard -------------------------------------------------------------------------------------
+  // --- select, guard -----------------------------------------------------------------------------
   logic [1:0] select_conflict, guard_conflict;
 
   select #(
       .VW(VW), .QW(QW), .BANK_BITS(BANK_BITS)
   ) u_select (
-      .clk_i, .rst_i, .start_i(kick_select_i), .items_i(items_i), .quads_i(quads_i),
-      .generation_i(generation_i), .front_depth_i(front_depth_i),
-      .silhouette_depth_i(silhouette_depth_i), .active_o(select_active_o),
-      .selected_o(selected_count_o), .record_rd_en_o(select_rd), .record_rd_item_o(select_item),
-      .record_rd_face_o(select_face), .record_origin_i(origin), .record_candidate_i(candidate),
-      .record_forced_i(forced), .record_last_i(record_last), .face_front_i(front),
-      .mark_rd_en_o(select_mark_rd_en), .mark_rd_row_o(select_mark_rd_row), .mark_rd_data_i(mark),
-      .chosen_wr_en_o(chosen_wr_en), .chosen_wr_row_o(chosen_wr_row),
-      .selected_valid_o(selected_valid), .selected_face_o(selected_face),
-      .selected_verdict_o(selected_verdict), .busy_o(busy_o[1]),
-      .starved_o(starved_o[1]), .blocked_o(blocked_o[1]),
-      .item_in_o(item_in_o[1]), .item_out_o(item_out_o[1]), .conflict_o(select_conflict)
+      .clk_i, .rst_i, .start_i(kick_select_i), .items_i, .quads_i, .generation_i, .front_depth_i,
+      .silhouette_depth_i, .active_o(select_active_o), .selected_o(selected_count_o),
+      .record_rd_en_o(select_rd), .record_rd_item_o(select_item), .record_rd_face_o(select_face),
+      .record_origin_i(origin), .record_candidate_i(candidate), .record_forced_i(forced),
+      .record_last_i(record_last), .face_front_i(front), .mark_rd_en_o(select_mark_rd_en),
+      .mark_rd_row_o(select_mark_rd_row), .mark_rd_data_i(mark), .chosen_wr_en_o(chosen_wr_en),
+      .chosen_wr_row_o(chosen_wr_row), .selected_valid_o(selected_valid),
+      .selected_face_o(selected_face), .selected_verdict_o(selected_verdict), .busy_o(busy_o[1]),
+      .starved_o(starved_o[1]), .blocked_o(blocked_o[1]), .item_in_o(item_in_o[1]),
+      .item_out_o(item_out_o[1]), .conflict_o(select_conflict)
   );
 
   guard #(
       .VW(VW), .QW(QW), .BANK_BITS(BANK_BITS)
   ) u_guard (
-      .clk_i, .rst_i, .start_i(kick_guard_i), .items_i(items_i), .quads_i(quads_i), .guard_i(guarded_i),
-      .all_i(uniform_i), .first_new_i(vertices_i), .active_o(guard_active_o), .refined_o(refined_count_o),
-      .sides_o(refined_sides_o), .record_rd_en_o(guard_rd), .record_rd_item_o(guard_item),
-      .record_rd_face_o(guard_face), .record_origin_i(origin), .record_last_i(record_last),
-      .face_selected_i(selected), .face_point_i(point), .chosen_rd_en_o(chosen_rd_en),
-      .chosen_rd_row_o(chosen_rd_row), .chosen_rd_data_i(chosen), .held_wr_en_o(held_wr_en),
-      .held_wr_row_o(held_wr_row), .verdict_valid_o(verdict_valid), .verdict_item_o(verdict_item),
-      .verdict_o(verdict_wr_data), .new_valid_o(guard_birth), .new_vertex_o(guard_vertex),
-      .new_position_o(guard_position), .busy_o(busy_o[2]),
-      .starved_o(starved_o[2]), .blocked_o(blocked_o[2]),
-      .item_in_o(item_in_o[2]), .item_out_o(item_out_o[2]), .conflict_o(guard_conflict)
+      .clk_i, .rst_i, .start_i(kick_guard_i), .items_i, .quads_i, .guard_i(guarded_i),
+      .all_i(uniform_i), .first_new_i(vertices_i), .active_o(guard_active_o),
+      .refined_o(refined_count_o), .sides_o(refined_sides_o), .record_rd_en_o(guard_rd),
+      .record_rd_item_o(guard_item), .record_rd_face_o(guard_face), .record_origin_i(origin),
+      .record_last_i(record_last), .face_selected_i(selected), .face_point_i(point),
+      .chosen_rd_en_o(chosen_rd_en), .chosen_rd_row_o(chosen_rd_row), .chosen_rd_data_i(chosen),
+      .held_wr_en_o(held_wr_en), .held_wr_row_o(held_wr_row), .verdict_valid_o(verdict_valid),
+      .verdict_item_o(verdict_item), .verdict_o(verdict_wr_data), .new_valid_o(guard_birth),
+      .new_vertex_o(guard_vertex), .new_position_o(guard_position), .busy_o(busy_o[2]),
+      .starved_o(starved_o[2]), .blocked_o(blocked_o[2]), .item_in_o(item_in_o[2]),
+      .item_out_o(item_out_o[2]), .conflict_o(guard_conflict)
   );
 
-  // --- smooth, split -------------------------------------------------------------------------------------
+  // --- smooth, split -----------------------------------------------------------------------------
   logic [2:0] split_conflict;
 
   smooth #(
       .VW(VW), .BANK_BITS(BANK_BITS)
   ) u_smooth (
-      .clk_i, .rst_i, .start_i(kick_smooth_i), .count_i(vertices_i), .new_i(new_vertices_i),
-      .odd_i(odd_i), .last_i(last_step_i), .finish_i(finish_i), .generation_i(generation_i),
-      .active_o(smooth_active_o), .row_rd_en_o(smooth_row_rd), .row_rd_o(smooth_row),
-      .mark_rd_data_i(mark), .held_rd_data_i(held), .vertex_rd_en_o(smooth_rd),
-      .vertex_rd_index_o(smooth_rd_index), .position_rd_data_i(single_position_o),
-      .sum_rd_data_i(single_sum), .new_from_face_i(all_i), .face_rd_en_o(smooth_face_rd),
-      .face_rd_index_o(smooth_face), .face_rd_data_i(point), .write_valid_o(smooth_wr),
-      .write_vertex_o(smooth_wr_vertex), .write_move_o(smooth_move), .write_old_o(smooth_old),
-      .write_sent_o(smooth_sent), .write_position_o(smooth_position),
-      .write_before_o(smooth_before), .send_valid_o(send_valid_o), .send_ready_i(send_ready_i),
-      .send_vertex_o(send_vertex_o), .send_position_o(send_position_o),
-      .busy_o(busy_o[3]), .starved_o(starved_o[3]),
-      .blocked_o(blocked_o[3]), .item_in_o(item_in_o[3]), .item_out_o(item_out_o[3])
+      .clk_i, .rst_i, .start_i(kick_smooth_i), .count_i(vertices_i), .new_i(new_vertices_i), .odd_i,
+      .last_i(last_step_i), .finish_i, .generation_i, .active_o(smooth_active_o),
+      .row_rd_en_o(smooth_row_rd), .row_rd_o(smooth_row), .mark_rd_data_i(mark),
+      .held_rd_data_i(held), .vertex_rd_en_o(smooth_rd), .vertex_rd_index_o(smooth_rd_index),
+      .position_rd_data_i(single_position_o), .sum_rd_data_i(single_sum), .new_from_face_i(all_i),
+      .face_rd_en_o(smooth_face_rd), .face_rd_index_o(smooth_face), .face_rd_data_i(point),
+      .write_valid_o(smooth_wr), .write_vertex_o(smooth_wr_vertex), .write_move_o(smooth_move),
+      .write_old_o(smooth_old), .write_sent_o(smooth_sent), .write_position_o(smooth_position),
+      .write_before_o(smooth_before), .send_valid_o, .send_ready_i, .send_vertex_o,
+      .send_position_o, .busy_o(busy_o[3]), .starved_o(starved_o[3]), .blocked_o(blocked_o[3]),
+      .item_in_o(item_in_o[3]), .item_out_o(item_out_o[3])
   );
 
   split #(
       .VW(VW), .QW(QW), .BANK_BITS(BANK_BITS)
   ) u_split (
-      .clk_i, .rst_i, .start_i(kick_split_i), .items_i(items_i), .quads_i(quads_i), .all_i(all_i),
-      .last_i(last_step_i), .finish_i(finish_i), .first_new_i(vertices_i[VW-1:0]),
-      .active_o(split_active_o), .children_o(children_o), .record_rd_en_o(split_rd),
-      .record_rd_item_o(split_item), .record_rd_face_o(split_face), .record_origin_i(origin),
-      .record_twin_i(twin), .record_border_i(border), .record_candidate_i(candidate),
-      .record_forced_i(forced), .record_last_i(record_last), .face_point_i(point),
-      .own_verdict_i(own_verdict), .verdict_rd_en_o(verdict_rd_en),
+      .clk_i, .rst_i, .start_i(kick_split_i), .items_i, .quads_i, .all_i, .last_i(last_step_i),
+      .finish_i, .first_new_i(vertices_i[VW-1:0]), .active_o(split_active_o), .children_o,
+      .record_rd_en_o(split_rd), .record_rd_item_o(split_item), .record_rd_face_o(split_face),
+      .record_origin_i(origin), .record_twin_i(twin), .record_border_i(border),
+      .record_candidate_i(candidate), .record_forced_i(forced), .record_last_i(record_last),
+      .face_point_i(point), .own_verdict_i(own_verdict), .verdict_rd_en_o(verdict_rd_en),
       .verdict_rd_row_o(verdict_rd_row), .verdict_rd_data_i(verdicts), .number_wr_en_o(number_wr),
       .number_wr_item_o(number_wr_item), .number_wr_data_o(number_wr_data),
       .number_rd_en_o(number_rd_en), .number_rd_row_o(number_rd_row), .number_rd_data_i(numbers),
@@ -336,13 +323,13 @@ module refine #(
       .birth_position_o(split_position), .op_valid_o(split_op_o), .op_ready_i(split_ready_i),
       .op_kind_o(split_kind_o), .op_number_o(split_number_o), .op_position_o(split_op_position_o),
       .op_mask_o(split_mask_o), .op_triangle_o(split_triangle_o), .op_child_o(split_child_o),
-      .op_candidate_o(split_candidate_o), .op_vertex_o(split_op_vertex_o), .op_sides_o(split_sides_o),
-      .op_first_o(split_first_o), .op_last_o(split_last_o), .busy_o(busy_o[4]),
-      .starved_o(starved_o[4]), .blocked_o(blocked_o[4]),
+      .op_candidate_o(split_candidate_o), .op_vertex_o(split_op_vertex_o),
+      .op_sides_o(split_sides_o), .op_first_o(split_first_o), .op_last_o(split_last_o),
+      .busy_o(busy_o[4]), .starved_o(starved_o[4]), .blocked_o(blocked_o[4]),
       .item_in_o(item_in_o[4]), .item_out_o(item_out_o[4]), .conflict_o(split_conflict)
   );
 
-  // --- Counters ----------------------------------------------------------------------------------------
+  // --- Counters ----------------------------------------------------------------------------------
   assign conflict_o = 4'(classify_conflict[0]) + 4'(classify_conflict[1]) + 4'(select_conflict[0]) +
       4'(select_conflict[1]) + 4'(guard_conflict[0]) + 4'(guard_conflict[1]) +
       4'(split_conflict[0]) + 4'(split_conflict[1]) + 4'(split_conflict[2]);

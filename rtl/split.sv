@@ -10,8 +10,8 @@
 //        \ | /                 Each half-edge contributes two children, from its own record alone.
 //          v
 //
-// Quads are numbered by the lower of their two half-edges. An edge of one refined face only is kept:
-// it yields the final triangle (v, w, F); a face that is not refined is final itself.
+// Quads are numbered by the lower of their two half-edges. An edge of one refined face only is
+// kept: it yields the final triangle (v, w, F); a face that is not refined is final itself.
 //
 //   fetch -----> gather -----------> split_number --------> split_write
 //   records      verdicts beyond     which edges are        child halves,
@@ -23,7 +23,7 @@
 //   * all_i: every face is refined, and the verdict memory is not used: face q's new vertex is
 //     first_new_i + q. finish_i: none is refined.
 //   * Rate: a quad, or in generation 0 a corner, a cycle; a cycle more for each face that sends its
-//     own new vertex, and where a bank is wanted more often than gather and scatter can make up for.
+//     own new vertex, and where gather and scatter can't make up for a bank's conflicts.
 
 module split #(
     parameter int unsigned VW = 19,  // width of a vertex number
@@ -110,7 +110,7 @@ module split #(
 
   localparam int unsigned HW = QW + 2;  // width of a half-edge's number
 
-  // --- Fetch; the item's own verdict ---------------------------------------------------------------------
+  // --- Fetch; the item's own verdict -------------------------------------------------------------
   logic fetch_valid, fetch_ready, fetch_active;
   logic [QW-1:0] fetch_item;
   logic own_refined, own_selected;
@@ -132,8 +132,8 @@ module split #(
   assign own_selected = all_i || own_verdict_i[VW];
   assign own_number = all_i ? first_new_i + VW'(fetch_item) : own_verdict_i[VW-1:0];
 
-  // --- Gather the verdicts of the faces beyond the item's edges ------------------------------------------
-  // What is for split_write goes along: {last, candidate, forced, selected, number, point, origins}.
+  // --- Gather the verdicts of the faces beyond the item's edges ----------------------------------
+  // What goes along for split_write: {last, candidate, forced, selected, number, point, origins}.
   localparam int unsigned REST = 1 + 1 + 8 + 1 + VW + 128 + 4 * VW;
   localparam int unsigned ITEM = 1 + REST + QW + 4 + 4 * HW;  // refined, rest, item, border, twins
 
@@ -168,7 +168,7 @@ module split #(
       .out_data_o(beyond_verdict), .conflict_o(conflict_o[0]), .active_o(beyond_active)
   );
 
-  // --- Number the children -------------------------------------------------------------------------------
+  // --- Number the children -----------------------------------------------------------------------
   logic beyond_refined;
   logic [REST-1:0] beyond_rest, numbered_rest;
   logic [QW-1:0] beyond_item;
@@ -197,7 +197,7 @@ module split #(
       .beyond_number_o(number_beyond), .conflict_o(conflict_o[1])
   );
 
-  // --- Write -----------------------------------------------------------------------------------------------
+  // --- Write -------------------------------------------------------------------------------------
   logic last, candidate, selected, write_active;
   logic [7:0] forced;
   logic [VW-1:0] number;
@@ -223,7 +223,7 @@ module split #(
       .item_out_o, .conflict_o(conflict_o[2])
   );
 
-  // --- Counters --------------------------------------------------------------------------------------
+  // --- Counters ----------------------------------------------------------------------------------
   assign active_o = fetch_active || beyond_active || number_active || write_active;
   assign busy_o = fetch_valid && fetch_ready;
   assign blocked_o = fetch_valid && !fetch_ready;

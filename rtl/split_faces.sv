@@ -62,7 +62,7 @@ module split_faces #(
     output logic         op_last_o
 );
 
-  // --- What there is to send --------------------------------------------------------------------------
+  // --- What there is to send ---------------------------------------------------------------------
   logic [3:0] lanes, kept, leaving;  // edges that yield a triangle; or, in the last step, a quad
   logic vertex_needed, face_needed;
   logic vertex_sent_q;  // generation 0: with an earlier corner
@@ -73,7 +73,7 @@ module split_faces #(
   assign vertex_needed = kept != 4'b0000 && !last_step_i && (first_i || !vertex_sent_q);
   assign face_needed = !refined_i || (kept | leaving) != 4'b0000;
 
-  // --- One op after the other ---------------------------------------------------------------------------
+  // --- One op after the other --------------------------------------------------------------------
   logic vertex_done_q, face_done_q, vertex_now, vertex_over, face_over;
 
   assign vertex_now = vertex_needed && !vertex_done_q;
@@ -93,7 +93,7 @@ module split_faces #(
     if (done_i) vertex_sent_q <= !last_i && (vertex_needed || (!first_i && vertex_sent_q));
   end
 
-  // --- The op -------------------------------------------------------------------------------------------
+  // --- The op ------------------------------------------------------------------------------------
   assign op_valid_o = valid_i && (vertex_now || (face_needed && !face_done_q));
   assign op_kind_o = vertex_now ? 3'(hs_pkg::OP_VERTEX) :
       refined_i || quads_i ? 3'(hs_pkg::OP_FACES) : 3'(hs_pkg::OP_CORNER);

@@ -73,7 +73,7 @@ module split_number #(
 
   localparam int unsigned HW = QW + 2;  // width of a half-edge's number
 
-  // --- Which edges are replaced, and which of them are numbered here -------------------------------------
+  // --- Which edges are replaced, and which of them are numbered here -----------------------------
   logic [3:0] replaced, lower, beyond_selected;
   logic [4*VW-1:0] beyond_number;
   logic [QW:0] count_q;
@@ -102,7 +102,7 @@ module split_number #(
   assign number_wr_item_o = item_i;
   assign number_wr_data_o = {count_q[QW-1:0], lower};
 
-  // --- Ask the items of the twins for their numbers --------------------------------------------------------
+  // --- Ask the items of the twins for their numbers ----------------------------------------------
   localparam int unsigned ITEM = REST + 4 * HW + QW + 4 + 4 + 4 + 4 * VW;
 
   logic waiting_valid, waiting_ready, gather_active;
@@ -151,11 +151,12 @@ module split_number #(
   );
   assign active_o = waiting_valid || gather_active;
 
-  // --- The half-edge of the next generation where each half-edge's children begin --------------------------
+  // --- The half-edge of the next generation where each half-edge's children begin ----------------
   logic [QW-1:0] first;
   logic [4*HW-1:0] twin_found;
 
-  assign {rest_o, beyond_number_o, beyond_selected_o, first, twin_found, replaced_o, lower_o} = found;
+  assign {rest_o, beyond_number_o, beyond_selected_o, first, twin_found, replaced_o, lower_o} =
+      found;
 
   // How many of the edges before edge i are numbered with their item.
   function automatic logic [QW-1:0] before_edge(input logic [2:0] mask, input logic [1:0] i);

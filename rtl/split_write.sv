@@ -7,13 +7,13 @@
 //   items --> fold --> the item with its neighbours -+
 //                                                    +--> split_faces --> emit
 //
-//   * In: an item with valid_i, whose meaning split.sv gives; it may come whenever stall_o was low
-//     3 cycles ago. children_i: per edge that is replaced, the half-edge of the next generation at
-//     which its children begin: 4 quad + 0 for the lower half-edge, + 2 for the upper.
-//   * A half is {selected, forced, border of c1, border of c0, twin of c1, twin of c0, origin of c1,
-//     origin of c0}. The twin of c0(h) is c1(next(h)), that of c1(h) is c0(prev(h)): so next and prev
-//     must be known, which in generation 0 takes the whole face: its items are folded.
-//   * An item is done when both its halves are written and split_faces has sent what is final of it.
+//   * In: an item with valid_i, as split_number tells it; fold's MARGIN is how many may still come
+//     when stall_o goes high. children_i: per edge that is replaced, the half-edge of the next
+//     generation at which its children begin: 4 quad + 0 for the lower half-edge, + 2 for the upper.
+//   * A half is {selected, forced, border of c1, border of c0, twin of c1, twin of c0, origin of
+//     c1, origin of c0}. The twin of c0(h) is c1(next(h)), that of c1(h) is c0(prev(h)): so next
+//     and prev must be known, which in generation 0 takes the whole face: its items are folded.
+//   * An item is done when its halves are written and split_faces has sent what is final of it.
 
 module split_write #(
     parameter int unsigned VW = 19,
@@ -82,7 +82,7 @@ module split_write #(
   localparam int unsigned HW = QW + 2;
   localparam int unsigned HALF = 2 * VW + 2 * HW + 11;
 
-  // --- Fold: in generation 0 the first corner needs the last one's children --------------------------------
+  // --- Fold: in generation 0 the first corner needs the last one's children ----------------------
   localparam int unsigned ITEM = 4 * VW + 4 + 4 + 4 + 4 * HW + 4 * VW + 128 + VW + 1 + 1 + 8 + 1;
   localparam int unsigned RESULT = 8 + 1 + HW;  // {sides, last edge replaced, its children}
 
@@ -106,18 +106,8 @@ module split_write #(
       .item_valid_i(valid_i),
       .item_last_i(last_i),
       .item_i({
-        beyond_number_i,
-        beyond_selected_i,
-        lower_i,
-        replaced_i,
-        children_i,
-        origin_i,
-        point_i,
-        number_i,
-        selected_i,
-        refined_i,
-        forced_i,
-        candidate_i
+        beyond_number_i, beyond_selected_i, lower_i, replaced_i, children_i, origin_i, point_i,
+        number_i, selected_i, refined_i, forced_i, candidate_i
       }),
       .result_valid_i(valid_i && last_i),
       .result_i({corner_q + 8'd1, replaced_i[0], children_i[HW-1:0]}),
@@ -129,7 +119,7 @@ module split_write #(
       .active_o(fold_active)
   );
 
-  // --- The item at work, with what is behind and before its edges --------------------------------------------
+  // --- The item at work, with what is behind and before its edges --------------------------------
   logic valid_q, last_q, first_q;
   logic [ITEM-1:0] item_q;
   logic [7:0] sides_q;
@@ -200,7 +190,7 @@ module split_write #(
     end
   end
 
-  // --- Child halves ---------------------------------------------------------------------------------------------
+  // --- Child halves ------------------------------------------------------------------------------
   logic [4*HALF-1:0] half;
   logic [4*QW-1:0] quad;
   logic [3:0] lower_mask, upper_mask;
@@ -265,7 +255,7 @@ module split_write #(
   );
   assign conflict_o = lower_conflict || upper_conflict;
 
-  // --- Final faces ------------------------------------------------------------------------------------------------
+  // --- Final faces -------------------------------------------------------------------------------
   logic faces_over;
 
   split_faces #(
@@ -281,7 +271,7 @@ module split_write #(
       .op_last_o
   );
 
-  // --- The item is done when each of its parts is -------------------------------------------------------------------
+  // --- The item is done when each of its parts is ------------------------------------------------
   logic lower_over, upper_over;
 
   assign lower_over = lower_mask == 4'b0000 || lower_done_q || lower_ready;
