@@ -106,7 +106,7 @@ module split_number #(
   localparam int unsigned ITEM = REST + 4 * HW + QW + 4 + 4 + 4 + 4 * VW;
 
   logic waiting_valid, waiting_ready, gather_active;
-  logic [5:0] level;
+  logic [4:0] level;
   logic [ITEM-1:0] waiting, found;
   logic [4*HW-1:0] waiting_twin;
   logic [3:0] waiting_replaced, waiting_lower;
@@ -116,7 +116,7 @@ module split_number #(
   /* verilator lint_off PINCONNECTEMPTY */
   fifo #(
       .WIDTH(ITEM),
-      .DEPTH(32)
+      .DEPTH(16)
   ) u_waiting (
       .clk_i, .rst_i, .in_valid_i(valid_i),
       .in_ready_o(),  // stall_o keeps it high
@@ -128,7 +128,7 @@ module split_number #(
   );
   /* verilator lint_on PINCONNECTEMPTY */
 
-  assign stall_o = level > 6'd12;  // gather's window still fits
+  assign stall_o = level > 5'd8;  // what is on its way still fits
   assign {waiting_twin, waiting_replaced, waiting_lower} = waiting[4*HW+7:0];
 
   for (genvar i = 0; i < 4; i++) begin : g_waiting
