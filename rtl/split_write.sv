@@ -8,8 +8,8 @@
 //                                                    +--> split_faces --> emit
 //
 //   * In: an item with valid_i, as split_number tells it; fold's MARGIN is how many may still come
-//     when stall_o goes high. children_i: per edge that is replaced, the half-edge of the next
-//     generation at which its children begin: 4 quad + 0 for the lower half-edge, + 2 for the upper.
+//     when stall_o goes high. children_i: per edge that is replaced, the half-edge of the next step
+//     at which its children begin: 4 quad + 0 for the lower half-edge, + 2 for the upper.
 //   * A half is {selected, forced, border of c1, border of c0, twin of c1, twin of c0, origin of
 //     c1, origin of c0}. The twin of c0(h) is c1(next(h)), that of c1(h) is c0(prev(h)): so next
 //     and prev must be known, which in generation 0 takes the whole face: its items are folded.
