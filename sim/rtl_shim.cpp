@@ -59,7 +59,7 @@ struct hs_rtl {
     axil bus;
     snapshot before{};
     std::vector<uint32_t> beat_cycle; /* of the last run: when each beat was taken */
-    bool broken = false; /* the last run failed: reset before the next */
+    bool broken = false;              /* the last run failed: reset before the next */
 };
 
 /* --- Cycles -------------------------------------------------------------------------------------
