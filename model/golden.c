@@ -48,11 +48,12 @@ void hs_golden_observe(hs_golden *golden, const hs_observer *observer) {
 
 /* Reallocates *(void **)array to count elements; the old array stays if there is no memory. */
 static bool resize(void *array, size_t count, size_t element) {
-    void *data;
-    memcpy(&data, array, sizeof data);
-    data = realloc(data, count * element);
+    void *old, *data;
+    memcpy(&old, array, sizeof old);
+    data = realloc(old, count * element);
     if (!data) return false;
     memcpy(array, &data, sizeof data);
+    // cppcheck-suppress memleak ; *array is its owner
     return true;
 }
 

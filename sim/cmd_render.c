@@ -180,11 +180,13 @@ static enum hs_parsed parse(request *r, int argc, char **argv, hs_error *err) {
 
 /* --- A mesh and its view ---------------------------------------------------------------------- */
 
-/* The matrix of view N of --views, or of --orbit around the mesh. */
+/* The matrix of view N of --views, or of --orbit around the mesh; without a mesh, of --views. */
 static bool choose_view(float matrix[16], const request *r, uint32_t number, const hs_mesh *mesh,
                         hs_error *err) {
     hs_views views;
     const double aspect = (double)r->width / r->height;
+    if (!r->views && !mesh)
+        return hs_fail(err, HS_EXIT_USAGE, "%.300s: no mesh to go around; give --views", r->source);
     if (!(r->views ? hs_views_read(&views, r->views, aspect, err)
                    : hs_views_orbit(&views, r->orbit, mesh, aspect, err)))
         return false;
