@@ -27,8 +27,8 @@ typedef struct {
     hs_packet good[GOOD];
     uint32_t next_good; /* the one that comes behind the next hostile one */
     uint64_t random;
-    uint32_t latest;    /* status of the latest hostile packet */
-    uint32_t seen[256]; /* hostile packets by status */
+    uint32_t latest, generations; /* of the latest hostile packet: status, generations */
+    uint32_t seen[256];           /* hostile packets by status */
 } hostile;
 
 static void copy_packet(hs_packet *to, const hs_packet *from) {
@@ -80,6 +80,7 @@ static int tear_down(void **state) {
 static void check(hostile *h, const hs_packet *packet, hs_stalls stalls, const char *what) {
     assert_same_words(h->bench, packet, stalls, what);
     h->latest = h->bench->golden_report.status;
+    h->generations = h->bench->golden_report.generations;
     h->seen[h->latest & 0xff]++;
     char behind[300];
     snprintf(behind, sizeof behind, "behind %s", what);
@@ -306,6 +307,34 @@ static void odd_surfaces_are_refined_as_golden_refines(void **state) {
     hs_packet_free(&packet);
 }
 
+/* A triangle two of whose sides are one edge is one quad in every generation: the one surface that
+ * reaches the largest depth within any capacity. */
+static void a_view_of_250_generations_is_refined_as_golden_refines(void **state) {
+    hostile *h = *state;
+    hs_packet packet = {0};
+    hs_error err;
+    copy_packet(&packet, &h->good[1]); /* a tetrahedron: header, matrix, four vertices */
+    const uint32_t end[4] = {HS_MAGIC_END, 0, 0, 0};
+    for (uint32_t mode = 0; mode < 3; mode++) {
+        const uint32_t forced = mode ? 250 : 0;
+        const uint32_t corner[12] = {0, 2,         3 | forced << 8,           0, /* 0 to 1 */
+                                     1, HS_BORDER, 3 | forced << 8 | 1 << 16, 0, /* 1 to 1 */
+                                     1, 0,         3 | forced << 8 | 2 << 16, 0};
+        packet.words = VERTICES_AT + 4 * 4;
+        packet.word[2] = mode == 0 ? HS_FLAG_UNIFORM : mode == 1 ? HS_FLAG_GUARD : 0;
+        packet.word[4] = 1;
+        packet.word[5] = 3;
+        packet.word[6] = 250u << 16;
+        assert_true(hs_packet_append(&packet, corner, 3, &err));
+        assert_true(hs_packet_append(&packet, end, 1, &err));
+        mend_crc(&packet);
+        check(h, &packet, no_stalls, "a triangle glued to itself");
+        assert_int_equal(h->latest, HS_STATUS_OK);
+        assert_int_equal(h->generations, 251);
+    }
+    hs_packet_free(&packet);
+}
+
 /* --- Any number of faults
  * -----------------------------------------------------------------------------
  */
@@ -467,6 +496,7 @@ int main(void) {
         cmocka_unit_test(a_packet_cut_or_drawn_out_anywhere_is_judged_as_golden_judges),
         cmocka_unit_test(a_valence_of_255_passes_and_of_256_is_refused),
         cmocka_unit_test(odd_surfaces_are_refined_as_golden_refines),
+        cmocka_unit_test(a_view_of_250_generations_is_refined_as_golden_refines),
         cmocka_unit_test(mutated_packets_are_judged_and_refined_as_golden_does),
         cmocka_unit_test(every_status_was_seen),
     };
