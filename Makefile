@@ -4,7 +4,9 @@
 BUILD     := build
 .DEFAULT_GOAL := all
 .SECONDARY:
+ifeq ($(MAKELEVEL),0)
 MAKEFLAGS += -j$(shell nproc)
+endif
 
 # What a bare Debian 12 misses is installed before anything else is looked at: packages.mk is
 # included, so make brings it up to date first and then reads everything again.
@@ -82,6 +84,16 @@ run: $(BUILD)/halfstep ## the main job: hand and monster head, 8 views each, thr
 
 test: $(BUILD)/halfstep $(TESTS) ## all tests; logs in build/test-logs
 	@tests/run $(TESTS)
+
+# The tests that are C alone, in a build of their own. OSMesa keeps some memory for good.
+SANITIZER := -fsanitize=address,undefined -fno-sanitize-recover=undefined
+SANITIZED := golden golden_rules golden_hostile mesh obj file stream frame view shape picture render \
+             reference reference_replay
+sanitize: ## the tests of the C code under ASan and UBSan
+	+@$(MAKE) BUILD=$(BUILD)/sanitize CC="gcc $(SANITIZER)" CXX="g++ $(SANITIZER)" OPT=-O1 sanitized
+.PHONY: sanitize sanitized
+sanitized: $(SANITIZED:%=$(BUILD)/test_%)
+	@LSAN_OPTIONS=suppressions=tests/leaks.supp:print_suppressions=0 TEST_SECONDS=1200 tests/run $^
 
 LINT_C := $(wildcard model/*.[ch] sim/*.[ch] tests/*.[ch])
 lint: rtl/hs_pkg.sv docs/reference.md ## Verilator, Yosys, clang-format, cppcheck, licence lines

@@ -167,7 +167,7 @@ static void marks_decisions_and_inheritance_follow_their_definitions(void **stat
                                  0.01, 10, &err));
         for (size_t k = 0; k < 3 * sizeof settings / sizeof *settings; k++) {
             for (uint32_t f = 0; f < mesh.faces; f++)
-                forced[f] = k % 2 ? (uint8_t)(f % 11 ? 4 * f / mesh.faces + 1 : 0) : 0;
+                forced[f] = (uint8_t)(k % 2 && f % 11 ? 4 * f / mesh.faces + 1 : 0);
             mesh.forced = forced;
             hs_packet in = {0}, out = {0};
             hs_golden_report report;
