@@ -300,6 +300,36 @@ static void every_block_exponent_is_goldens_word_for_word(void **state) {
     assert_int_equal(most, 128);
 }
 
+/* A lone triangle beyond one plane of the view volume, but for a corner that lies just on it: it is
+ * in view, and no longer so with the corner moved out by a unit in the last place. */
+static void a_face_that_touches_the_view_volume_from_outside_is_in_view(void **state) {
+    bench *b = *state;
+    for (uint32_t i = 0; i < 6 * 3 * 2; i++) {
+        const uint32_t axis = i / 2 % 3, touching = i / 6 % 3, beyond = i / 18;
+        const float sign = i % 2 ? -1 : 1, near = beyond ? nextafterf(1, 2) : 1;
+        float p[12];
+        for (uint32_t v = 0; v < 3; v++) {
+            p[4 * v] = v == 1 ? 0.75f : 0.25f * (float)v;
+            p[4 * v + 1] = v == 2 ? 0.75f : 0.25f * (float)v;
+            p[4 * v + 2] = 0;
+            p[4 * v + 3] = 1;
+            p[4 * v + axis] = sign * (v == touching ? near : 1.5f);
+        }
+        const float area = (p[4] - p[0]) * (p[9] - p[1]) - (p[8] - p[0]) * (p[5] - p[1]);
+        const uint32_t sides = 3, corner[3] = {0, area > 0 ? 1 : 2, area > 0 ? 2 : 1};
+        const hs_settings settings = adaptive(1, 0, true);
+        char what[100];
+        hs_mesh mesh;
+        make_soup(&mesh, 3, p, 1, &sides, corner);
+        snprintf(what, sizeof what, "axis %u, sign %g, corner %u, %s", axis, (double)sign, touching,
+                 beyond ? "beyond the plane" : "on the plane");
+        assert_same_view(b, i, &mesh, identity, &settings, no_stalls, what);
+        if (b->golden_report.faces != (beyond ? 1 : 3))
+            fail_msg("%s: %u faces", what, b->golden_report.faces);
+        hs_mesh_free(&mesh);
+    }
+}
+
 static void zero_and_degenerate_positions_are_goldens_word_for_word(void **state) {
     bench *b = *state;
     const float zero[16] = {0};
@@ -500,6 +530,7 @@ int main(void) {
         cmocka_unit_test(the_most_sides_and_the_highest_valence_are_goldens_word_for_word),
         cmocka_unit_test(bodies_apart_are_goldens_word_for_word),
         cmocka_unit_test(every_block_exponent_is_goldens_word_for_word),
+        cmocka_unit_test(a_face_that_touches_the_view_volume_from_outside_is_in_view),
         cmocka_unit_test(zero_and_degenerate_positions_are_goldens_word_for_word),
         cmocka_unit_test(random_positions_and_matrices_are_goldens_word_for_word),
         cmocka_unit_test(mesh_files_are_goldens_word_for_word),
