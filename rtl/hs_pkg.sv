@@ -37,16 +37,8 @@ package hs_pkg;
   localparam logic [31:0] INDEX_BITS = 32'd24;
   // the trailer's position when no input word is at fault
   localparam logic [31:0] NO_POSITION = 32'hffffffff;
-  // a coordinate: two's complement, S1.30 of the block
-  localparam logic [31:0] POSITION_BITS = 32'd32;
   // binary places of a coordinate below the block's 2^E
   localparam logic [31:0] FRACTION_BITS = 32'd30;
-  // T, the sum of 2n positions around a vertex: 32 + log2(2*255), rounded up
-  localparam logic [31:0] SUM_BITS = 32'd40;
-  // dividend of a mask: |T + n(n-2)S| <= n^2 2^30 < 2^46, and its sign
-  localparam logic [31:0] DIVIDEND_BITS = 32'd48;
-  // a component of a cross product of two positions
-  localparam logic [31:0] CROSS_BITS = 32'd63;
   // begin a packet: header record
   localparam logic [31:0] OP_HEADER = 32'd0;
   // a vertex's number and position
