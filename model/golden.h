@@ -25,7 +25,8 @@ typedef struct hs_limits {
 /* What happened in one generation. */
 typedef struct hs_generation {
     uint32_t active;   /* faces that may still change */
-    uint32_t corners;  /* their corners: 4 * active, but for generation 0 */
+    uint32_t corners;  /* their corners: 3 or 4 a face, but for generation 0 */
+    uint32_t boundary; /* sides of active faces on the surface's boundary, unless they are kept */
     uint32_t selected; /* faces that the view wants refined */
     uint32_t refined;  /* faces that were refined: the selected ones and, with guard, their ring */
     uint32_t final;    /* faces that left the pipeline in this generation */
@@ -41,6 +42,7 @@ typedef struct hs_golden_report {
     uint32_t generations; /* entries of generation: the last one reached, plus one */
     const hs_generation *generation;
     uint32_t vertices, faces, triangles; /* sent */
+    uint32_t at_level; /* with settings.limit: vertices sent where their level has them */
     /* Per generation g, face by face of its active mesh in order: bit 0 selected, bit 1 refined.
      * decision[g] has generation[g].active bytes. For the reference, which replays it. */
     const uint8_t *const *decision;

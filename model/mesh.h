@@ -29,6 +29,10 @@ typedef struct hs_mesh {
     uint32_t *twin;   /* halfedges */
     uint32_t *face;   /* halfedges */
     uint8_t *forced; /* faces: refine to this depth whatever the view; 0 unless set by the caller */
+    /* How sharp edges and vertices are: for how many Catmull-Clark levels, 0 (smooth) to
+     * HS_MAX_SHARPNESS, or HS_SHARP_INFINITE. A boundary edge's own number is without meaning. */
+    uint8_t *sharpness;        /* halfedges: of the edge, so that twins have the same; NULL: all 0 */
+    uint8_t *vertex_sharpness; /* vertices; NULL: all 0 */
 } hs_mesh;
 
 static inline uint32_t hs_next(const hs_mesh *m, uint32_t h) {
@@ -45,6 +49,13 @@ static inline uint32_t hs_sides(const hs_mesh *m, uint32_t f) {
     return m->first[f + 1] - m->first[f];
 }
 
+/* A sharp edge, v-w in any direction, or, if w == v, a sharp vertex. */
+typedef struct hs_tag {
+    uint32_t v, w;   /* vertices of the soup, from 0 */
+    float sharpness; /* Catmull-Clark levels; 10 and more: for ever */
+    uint32_t line;   /* in the file, for messages; 0: unknown */
+} hs_tag;
+
 /* A face list to be made into a mesh. The arrays belong to the caller. */
 typedef struct hs_soup {
     const char *name;      /* of the file or shape, for messages */
@@ -54,6 +65,9 @@ typedef struct hs_soup {
     const uint32_t *sides;  /* one per face */
     const uint32_t *corner; /* the faces' vertices, one face behind the other, from 0 */
     const uint32_t *vertex_line, *face_line; /* lines in the file, for messages; may be NULL */
+    uint32_t tags;
+    const hs_tag *tag;    /* of the same edge or vertex the last one counts */
+    bool round_sharpness; /* to the nearest integer, halves up; else a fraction is an error */
 } hs_soup;
 
 /* Builds the half-edges of a face list and checks that it is an oriented 2-manifold in the limits

@@ -26,6 +26,13 @@ typedef struct hs_packet {
     uint32_t *word;
 } hs_packet;
 
+/* What happens at the surface's boundary (docs/refinement.md, section 9). */
+typedef enum hs_boundary {
+    HS_BOUNDARY_KEPT,     /* the paper: boundary edges are kept, their vertices stay */
+    HS_BOUNDARY_SMOOTH,   /* B-spline curves; a vertex with one face stays */
+    HS_BOUNDARY_EDGE_ONLY /* B-spline curves everywhere */
+} hs_boundary;
+
 /* How a view is refined: the settings in the header of an input packet. */
 typedef struct hs_settings {
     uint8_t front_depth;      /* front faces in view are refined while g < this */
@@ -33,6 +40,11 @@ typedef struct hs_settings {
     uint8_t uniform_depth;    /* if uniform: everything is refined while g < this */
     bool uniform;
     bool guard; /* refine the ring around every selected face as well */
+    bool limit; /* vertices leave at their positions on the limit surface */
+    hs_boundary boundary;
+    /* Not wanted is a face whose edges are all shorter than this, in sixteenths of a pixel
+     * (HS_PIXEL_FRACTION), in a picture of width x height pixels; 0: every face may be. */
+    uint16_t min_edge, width, height;
 } hs_settings;
 
 /* Makes the input packet of one view: header, matrix (row-major, clip = M p), vertices, corners,
@@ -63,6 +75,7 @@ typedef struct hs_output {
     int32_t exponent;     /* E: all components are below 2^E */
     uint32_t generations; /* the last generation reached */
     uint32_t vertices, faces, triangles, corners;
+    uint32_t at_level;   /* with settings.limit: vertices sent where their level has them */
     float *position;     /* 4 per vertex: clip space */
     uint32_t *number;    /* per vertex: its number in the pipeline */
     uint32_t *first;     /* faces + 1: where a face's corners begin */

@@ -3,7 +3,7 @@
  * Packets on their way in: a growing row of words, its CRC-32, the input packet of a view, and the
  * frames in which files keep packets. docs/stream.md defines every bit.
  *
- *   header 2 | matrix 4 | vertices V | corners H | trailer 1     (records of 4 words)
+ *   header 3 | matrix 4 | vertices V | corners H | trailer 1     (records of 4 words)
  */
 #include "stream.h"
 
@@ -98,13 +98,19 @@ bool hs_packet_encode(hs_packet *packet, uint32_t view, const hs_mesh *mesh, con
     if (records > SIZE_MAX / 16 || !reserve(packet, 4 * (size_t)records, err))
         return hs_fail(err, HS_EXIT_INTERNAL, "no memory for the input packet of view %u", view);
 
-    uint32_t flags =
-        (settings->uniform ? HS_FLAG_UNIFORM : 0u) | (settings->guard ? HS_FLAG_GUARD : 0u);
+    const uint32_t flags = (settings->uniform ? HS_FLAG_UNIFORM : 0u) |
+                           (settings->guard ? HS_FLAG_GUARD : 0u) |
+                           (settings->limit ? HS_FLAG_LIMIT : 0u) |
+                           (settings->boundary == HS_BOUNDARY_SMOOTH      ? HS_FLAG_SMOOTH
+                            : settings->boundary == HS_BOUNDARY_EDGE_ONLY ? HS_FLAG_EDGE_ONLY
+                                                                          : 0u);
     uint32_t depths = settings->front_depth | (uint32_t)settings->silhouette_depth << 8 |
                       (uint32_t)settings->uniform_depth << 16;
     uint32_t *at = packet->word;
     at = put_record(at, HS_MAGIC_VIEW, HS_STREAM_VERSION, flags, mesh->vertices);
     at = put_record(at, mesh->faces, mesh->halfedges, depths, 0);
+    at = put_record(at, settings->min_edge,
+                    settings->width | (uint32_t)settings->height << 16, 0, 0);
 
     memcpy(at, matrix, 4 * 4 * HS_MATRIX_RECORDS);
     at += 4 * HS_MATRIX_RECORDS;
@@ -115,8 +121,11 @@ bool hs_packet_encode(hs_packet *packet, uint32_t view, const hs_mesh *mesh, con
         uint32_t sides = hs_sides(mesh, f), forced = mesh->forced ? mesh->forced[f] : 0;
         for (uint32_t h = mesh->first[f]; h < mesh->first[f + 1]; h++) {
             uint32_t corner = h - mesh->first[f];
+            uint32_t sharpness = mesh->sharpness ? mesh->sharpness[h] : 0;
+            if (mesh->vertex_sharpness)
+                sharpness |= (uint32_t)mesh->vertex_sharpness[mesh->origin[h]] << 4;
             at = put_record(at, mesh->origin[h], mesh->twin[h],
-                            (sides & 0xff) | forced << 8 | (corner & 0xff) << 16, 0);
+                            (sides & 0xff) | forced << 8 | (corner & 0xff) << 16, sharpness);
         }
     }
 

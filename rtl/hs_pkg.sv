@@ -8,7 +8,7 @@ package hs_pkg;
 
   // --- Constants
   // version of both stream formats
-  localparam logic [31:0] STREAM_VERSION = 32'd1;
+  localparam logic [31:0] STREAM_VERSION = 32'd2;
   // word 0 of an input packet: the bytes HS2I
   localparam logic [31:0] MAGIC_VIEW = 32'h49325348;
   // word 0 of an input packet's last record: the bytes HS2E
@@ -17,8 +17,14 @@ package hs_pkg;
   localparam logic [31:0] FLAG_UNIFORM = 32'd1;
   // input flag: refine the ring around every selected face as well
   localparam logic [31:0] FLAG_GUARD = 32'd2;
+  // input flag: vertices leave at their positions on the limit surface
+  localparam logic [31:0] FLAG_LIMIT = 32'd4;
+  // input flag: boundary mode smooth; neither this nor edge-only: kept
+  localparam logic [31:0] FLAG_SMOOTH = 32'd8;
+  // input flag: boundary mode edge-only
+  localparam logic [31:0] FLAG_EDGE_ONLY = 32'd16;
   // records of an input packet before the matrix
-  localparam logic [31:0] HEADER_RECORDS = 32'd2;
+  localparam logic [31:0] HEADER_RECORDS = 32'd3;
   // records of the matrix, one a row
   localparam logic [31:0] MATRIX_RECORDS = 32'd4;
   // the twin of a half-edge that has none
@@ -31,6 +37,12 @@ package hs_pkg;
   localparam logic [31:0] MAX_VALENCE = 32'd255;
   // largest refinement depth that a stream may ask for
   localparam logic [31:0] MAX_DEPTH = 32'd250;
+  // largest sharpness of an edge or vertex that wears off
+  localparam logic [31:0] MAX_SHARPNESS = 32'd9;
+  // sharpness of an edge or vertex that stays sharp for ever
+  localparam logic [31:0] SHARP_INFINITE = 32'd15;
+  // units of the least edge's length in a pixel
+  localparam logic [31:0] PIXEL_FRACTION = 32'd16;
   // bits 31:23 of word 0 of every record that is not a vertex; no finite number
   localparam logic [31:0] TAG = 32'h000001ff;
   // width of a vertex number in the output stream: four to a record
@@ -107,6 +119,10 @@ package hs_pkg;
   localparam logic [7:0] STATUS_TRUNCATED = 8'd32;
   // the packet goes on behind its trailer
   localparam logic [7:0] STATUS_TOO_LONG = 8'd33;
+  // the least edge is too long, or given without the size of the picture
+  localparam logic [7:0] STATUS_BAD_PIXELS = 8'd34;
+  // a sharpness is neither 0 to 9 nor 15, or differs from the twin's
+  localparam logic [7:0] STATUS_BAD_SHARPNESS = 8'd35;
 
   // --- Stages
   // stream in: unpacks, checks, stores
