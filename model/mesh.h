@@ -50,11 +50,11 @@ static inline uint32_t hs_sides(const hs_mesh *m, uint32_t f) {
 }
 
 /* A sharp edge, v-w in any direction, or, if w == v, a sharp vertex. */
-typedef struct hs_tag {
+typedef struct hs_sharp_tag {
     uint32_t v, w;   /* vertices of the soup, from 0 */
     float sharpness; /* Catmull-Clark levels; 10 and more: for ever */
     uint32_t line;   /* in the file, for messages; 0: unknown */
-} hs_tag;
+} hs_sharp_tag;
 
 /* A face list to be made into a mesh. The arrays belong to the caller. */
 typedef struct hs_soup {
@@ -66,7 +66,7 @@ typedef struct hs_soup {
     const uint32_t *corner; /* the faces' vertices, one face behind the other, from 0 */
     const uint32_t *vertex_line, *face_line; /* lines in the file, for messages; may be NULL */
     uint32_t tags;
-    const hs_tag *tag;    /* of the same edge or vertex the last one counts */
+    const hs_sharp_tag *tag;   /* of the same edge or vertex the last one counts */
     bool round_sharpness; /* to the nearest integer, halves up; else a fraction is an error */
 } hs_soup;
 
