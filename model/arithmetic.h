@@ -54,6 +54,39 @@ static inline int32_t hs_vertex_mask(int64_t t, int32_t s, uint32_t n) {
     return (int32_t)hs_rne_divide(t + m * (m - 2) * s, m * m);
 }
 
+/* Crease point of one coordinate: RNE((a + 6s + b) / 8), ends = a + b. */
+static inline int32_t hs_crease_mask(int64_t ends, int32_t s) {
+    return (int32_t)hs_rne_shift(ends + 6 * (int64_t)s, 3);
+}
+
+/* Midpoint of one coordinate: RNE((a + b) / 2). */
+static inline int32_t hs_middle_mask(int32_t a, int32_t b) {
+    return (int32_t)hs_rne_shift((int64_t)a + b, 1);
+}
+
+/* Limit position of one coordinate: RNE((n^2 s + ring) / (n^2 + 5n)), where ring sums 4a + b over
+ * the n corners at the vertex: a the other end of an edge, b the vertex opposite in a quad. */
+static inline int32_t hs_limit_mask(int64_t ring, int32_t s, uint32_t n) {
+    const int64_t m = n;
+    return (int32_t)hs_rne_divide(m * m * s + ring, m * m + 5 * m);
+}
+
+/* Limit position on a crease: RNE((a + 4s + b) / 6), ends = a + b. */
+static inline int32_t hs_crease_limit_mask(int64_t ends, int32_t s) {
+    return (int32_t)hs_rne_divide(ends + 4 * (int64_t)s, 6);
+}
+
+/* True if p and q are before the eye and |p/p_w - q/q_w| size/2 < edge/16 pixels in a picture of
+ * that size, where p, q are one coordinate of the two: |p q_w - q p_w| 8 size < edge p_w q_w. The
+ * left side is below 2^61 2^19, the right one below 2^76. */
+static inline int hs_is_short(int32_t p, int32_t p_w, int32_t q, int32_t q_w, uint32_t size,
+                              uint32_t edge) {
+    if (p_w <= 0 || q_w <= 0) return 0;
+    const int64_t cross = (int64_t)p * q_w - (int64_t)q * p_w;
+    return (__int128)(cross < 0 ? -cross : cross) * 8 * size <
+           (__int128)edge * ((int64_t)p_w * q_w);
+}
+
 /* det[(x,y,w) of a, b, c] = a . (b x c), exactly: above zero where the corner a, b, c is seen
  * counter-clockwise. Positions are x, y, z, w with |component| <= 2^30, so a component of b x c
  * needs 63 bits and the determinant 94. */

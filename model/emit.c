@@ -49,7 +49,7 @@ void hs_emit_header(hs_state *s) {
 
 /* Adds the vertex to the open group, or opens one: consecutive vertices of one generation go out
  * four at a time behind the record of their numbers. */
-void hs_emit_vertex(hs_state *s, uint32_t vertex) {
+void hs_emit_vertex(hs_state *s, uint32_t vertex, const int32_t position[4]) {
     if (s->group && s->group_count < 4 && (s->out->word[s->group] & 0xff) == s->generation) {
         uint32_t *open = s->out->word + s->group;
         pack_number(open, s->group_count++, vertex);
@@ -60,7 +60,6 @@ void hs_emit_vertex(hs_state *s, uint32_t vertex) {
         s->group_count = 1;
         append(s, record);
     }
-    const int32_t *position = s->position[vertex];
     uint32_t record[4];
     for (int k = 0; k < 4; k++)
         record[k] = float_bits(position[k], s->unit);
@@ -91,7 +90,7 @@ void hs_emit_trailer(hs_state *s) {
                                  s->vertices_sent, s->faces_sent};
     append(s, trailer);
     if (s->exhausted) return;
-    const uint32_t end[4] = {hs_tag(HS_RECORD_END, s->generation), s->triangles_sent, 0,
+    const uint32_t end[4] = {hs_tag(HS_RECORD_END, s->generation), s->triangles_sent, s->at_level,
                              hs_crc(0, s->out->word, s->out->words)};
     append(s, end);
 }

@@ -30,11 +30,13 @@ hs_golden *hs_golden_new(hs_limits limits) {
 void hs_golden_free(hs_golden *golden) {
     if (!golden) return;
     hs_state *s = &golden->state;
-    void *const arrays[] = {
-        s->first,       s->face,      s->origin,         s->twin,       s->candidate, s->forced,
-        s->position,    s->old,       s->clip,           s->sum,        s->mark,      s->sent,
-        s->point,       s->valence,   s->face_mark,      s->decision,   s->number,    s->child,
-        s->next_origin, s->next_twin, s->next_candidate, s->next_forced};
+    void *const arrays[] = {s->first,          s->face,        s->origin,      s->twin,
+                            s->candidate,      s->forced,      s->position,    s->old,
+                            s->clip,           s->sum,         s->mark,        s->sent,
+                            s->point,          s->valence,     s->face_mark,   s->decision,
+                            s->number,         s->child,       s->next_origin, s->next_twin,
+                            s->next_candidate, s->next_forced, s->sharp,       s->next_sharp,
+                            s->stays,          s->crease,      s->ring};
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++)
         free(arrays[i]);
     for (size_t g = 0; g < GENERATIONS; g++)
@@ -68,8 +70,13 @@ bool hs_state_reserve(hs_state *s, size_t vertices, size_t faces, size_t halfedg
         good = resize(&s->position, n, sizeof *s->position) && resize(&s->old, n, sizeof *s->old) &&
                resize(&s->clip, n, sizeof *s->clip) && resize(&s->sum, n, sizeof *s->sum) &&
                resize(&s->mark, n, sizeof *s->mark) && resize(&s->valence, n, sizeof *s->valence) &&
-               resize(&s->sent, n, sizeof *s->sent);
+               resize(&s->sent, n, sizeof *s->sent) && resize(&s->stays, n, sizeof *s->stays) &&
+               resize(&s->crease, n, sizeof *s->crease);
         if (good) s->vertex_room = n;
+    }
+    if (good && s->settings.limit && s->vertex_room > s->ring_room) {
+        good = resize(&s->ring, s->vertex_room, sizeof *s->ring);
+        if (good) s->ring_room = s->vertex_room;
     }
     if (good && faces > s->face_room) {
         const size_t n = grown(s->face_room, faces);
@@ -88,6 +95,8 @@ bool hs_state_reserve(hs_state *s, size_t vertices, size_t faces, size_t halfedg
         const size_t n = grown(s->halfedge_room, halfedges);
         good = resize(&s->face, n, sizeof *s->face) && resize(&s->origin, n, sizeof *s->origin) &&
                resize(&s->twin, n, sizeof *s->twin) && resize(&s->child, n, sizeof *s->child) &&
+               resize(&s->sharp, n, sizeof *s->sharp) &&
+               resize(&s->next_sharp, n, sizeof *s->next_sharp) &&
                resize(&s->next_origin, n, sizeof *s->next_origin) &&
                resize(&s->next_twin, n, sizeof *s->next_twin);
         if (good) s->halfedge_room = n;
@@ -126,26 +135,39 @@ static void swap_bytes(uint8_t **a, uint8_t **b) {
     *b = c;
 }
 
-static void enter_next_generation(hs_state *s) {
+/* The generation that split made, as numbers. */
+static void count_next_generation(hs_state *s) {
     s->vertices += s->refined;
     s->faces = s->next_faces;
+    s->boundary = s->next_boundary;
     s->halfedges = 4 * s->next_faces;
     s->generation++;
+}
+
+static hs_generation new_count(const hs_state *s) {
+    const uint32_t void_corners = s->generation & 1 ? s->boundary : 0; /* one a half-quad */
+    return (hs_generation){.active = s->faces,
+                           .corners = s->halfedges - void_corners,
+                           .boundary = s->boundary,
+                           .vertices = s->vertices};
+}
+
+static void enter_next_generation(hs_state *s) {
+    count_next_generation(s);
     swap(&s->origin, &s->next_origin);
     swap(&s->twin, &s->next_twin);
     swap_bytes(&s->candidate, &s->next_candidate);
     swap_bytes(&s->forced, &s->next_forced);
+    swap_bytes(&s->sharp, &s->next_sharp);
 }
 
 /* The children of a last step left in split, without becoming a generation. */
 static bool count_last_generation(hs_golden *golden) {
     hs_state *s = &golden->state;
-    s->vertices += s->refined;
-    s->faces = s->next_faces;
-    s->generation++;
+    count_next_generation(s);
     s->finish = true;
-    s->count = (hs_generation){
-        .active = s->faces, .corners = 4 * s->faces, .final = s->faces, .vertices = s->vertices};
+    s->count = new_count(s);
+    s->count.final = s->faces;
     return keep_decisions(golden);
 }
 
@@ -154,8 +176,7 @@ static bool refine(hs_golden *golden) {
     const hs_observer *o = &golden->observer;
     for (;;) {
         if (o->entered) o->entered(o->context, s);
-        s->count =
-            (hs_generation){.active = s->faces, .corners = s->halfedges, .vertices = s->vertices};
+        s->count = new_count(s);
         hs_stage_classify(s);
         hs_stage_select(s);
         if (!s->finish) hs_stage_guard(s);
@@ -198,7 +219,7 @@ bool hs_golden_run(hs_golden *golden, const hs_packet *in, hs_packet *out, hs_go
     s->generation = 0;
     s->exponent = 0;
     s->group = 0;
-    s->vertices_sent = s->faces_sent = s->triangles_sent = 0;
+    s->vertices_sent = s->faces_sent = s->triangles_sent = s->at_level = 0;
 
     hs_stage_receive(s, in);
     const bool accepted = s->status == HS_STATUS_OK && !s->exhausted;
@@ -223,6 +244,7 @@ bool hs_golden_run(hs_golden *golden, const hs_packet *in, hs_packet *out, hs_go
         .vertices = s->vertices_sent,
         .faces = s->faces_sent,
         .triangles = s->triangles_sent,
+        .at_level = s->at_level,
         .decision = (const uint8_t *const *)golden->decision,
     };
     return true;

@@ -20,6 +20,18 @@ static bool touches_selected(const hs_state *s, uint32_t f) {
     return false;
 }
 
+/* Twice the children that a refined face gives, its neighbours being refined too. A boundary side
+ * makes a child alone in an odd step, and none in an even one. */
+static uint32_t counted_sides(const hs_state *s, uint32_t f) {
+    const uint32_t h0 = hs_face_first(s, f), n = hs_face_sides(s, f);
+    if (s->boundary == 0) return n;
+    if (!hs_odd_step(s)) return hs_is_half(s, f) ? 2 : 4;
+    uint32_t sides = n;
+    for (uint32_t i = 0; i < n; i++)
+        sides += s->twin[h0 + i] == BOUNDARY_TWIN;
+    return sides;
+}
+
 void hs_stage_guard(hs_state *s) {
     const bool ring = s->settings.guard && !s->settings.uniform;
     s->refined = 0;
@@ -31,7 +43,7 @@ void hs_stage_guard(hs_state *s) {
         if (ring ? touches_selected(s, f) : s->decision[f] & FACE_SELECTED) {
             s->decision[f] |= FACE_REFINED;
             s->number[f] = s->vertices + s->refined++;
-            s->refined_sides += hs_face_sides(s, f);
+            s->refined_sides += counted_sides(s, f);
         } else {
             mark_corners(s, f, MARK_HELD);
         }
@@ -41,5 +53,6 @@ void hs_stage_guard(hs_state *s) {
         s->status = HS_STATUS_STOPPED;
         s->finish = true;
     }
-    s->last = !s->finish && s->generation + 1 == s->depth;
+    /* For limit positions every vertex needs its ring: no generation is skipped. */
+    s->last = !s->finish && !s->settings.limit && s->generation + 1 == s->depth;
 }

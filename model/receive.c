@@ -3,6 +3,7 @@
  * receive: reads a view's packet, record by record, and checks it (docs/stream.md gives every
  * check). The first word at fault decides: status and position.
  */
+#include <stdlib.h>
 #include <string.h>
 
 #include "golden_state.h"
@@ -25,14 +26,24 @@ static const uint32_t *record_at(hs_state *s, const hs_packet *in, size_t at) {
     return NULL;
 }
 
+static bool good_flags(uint32_t flags) {
+    const uint32_t modes = HS_FLAG_SMOOTH | HS_FLAG_EDGE_ONLY;
+    return !(flags & ~(HS_FLAG_UNIFORM | HS_FLAG_GUARD | HS_FLAG_LIMIT | modes)) &&
+           (flags & modes) != modes;
+}
+
+/* Sharpness of edge or vertex, 4 bits. */
+static bool good_sharpness(uint32_t sharpness) {
+    return sharpness <= HS_MAX_SHARPNESS || sharpness == HS_SHARP_INFINITE;
+}
+
 static bool read_header(hs_state *s, const hs_packet *in) {
     const uint32_t *a = record_at(s, in, 0);
     if (!a) return false;
     const uint32_t vertices = a[3];
     if (a[0] != HS_MAGIC_VIEW) return refuse(s, HS_STATUS_BAD_MAGIC, 0), false;
     if (a[1] != HS_STREAM_VERSION) return refuse(s, HS_STATUS_BAD_VERSION, 1), false;
-    if (a[2] & ~(uint32_t)(HS_FLAG_UNIFORM | HS_FLAG_GUARD))
-        return refuse(s, HS_STATUS_BAD_FLAGS, 2), false;
+    if (!good_flags(a[2])) return refuse(s, HS_STATUS_BAD_FLAGS, 2), false;
     if (vertices < 3) return refuse(s, HS_STATUS_BAD_COUNT, 3), false;
     if (vertices > s->limits.vertices) return refuse(s, HS_STATUS_CAPACITY_VERTICES, 3), false;
 
@@ -48,11 +59,26 @@ static bool read_header(hs_state *s, const hs_packet *in) {
         return refuse(s, HS_STATUS_BAD_DEPTH, 6), false;
     if (b[3]) return refuse(s, HS_STATUS_BAD_RESERVED, 7), false;
 
+    const uint32_t *c = record_at(s, in, 8);
+    if (!c) return false;
+    const uint32_t width = c[1] & 0xffff, height = c[1] >> 16;
+    if (c[0] >> 16) return refuse(s, HS_STATUS_BAD_PIXELS, 8), false;
+    if (c[0] && (!width || !height)) return refuse(s, HS_STATUS_BAD_PIXELS, 9), false;
+    if (c[2]) return refuse(s, HS_STATUS_BAD_RESERVED, 10), false;
+    if (c[3]) return refuse(s, HS_STATUS_BAD_RESERVED, 11), false;
+
     s->settings.uniform = a[2] & HS_FLAG_UNIFORM;
     s->settings.guard = a[2] & HS_FLAG_GUARD;
     s->settings.front_depth = (uint8_t)front;
     s->settings.silhouette_depth = (uint8_t)silhouette;
     s->settings.uniform_depth = (uint8_t)uniform;
+    s->settings.limit = a[2] & HS_FLAG_LIMIT;
+    s->settings.boundary = a[2] & HS_FLAG_SMOOTH      ? HS_BOUNDARY_SMOOTH
+                           : a[2] & HS_FLAG_EDGE_ONLY ? HS_BOUNDARY_EDGE_ONLY
+                                                      : HS_BOUNDARY_KEPT;
+    s->settings.min_edge = (uint16_t)c[0];
+    s->settings.width = (uint16_t)width;
+    s->settings.height = (uint16_t)height;
     s->vertices = vertices;
     s->faces = faces;
     s->halfedges = halfedges;
@@ -108,7 +134,8 @@ static bool read_corners(hs_state *s, const hs_packet *in) {
         bool ends = corner + 1 == sides;
         if (h + 1 == s->halfedges) good = good && ends && face + 1 == s->faces;
         if (!good) return refuse(s, HS_STATUS_BAD_FACE, at + 2), false;
-        if (r[3]) return refuse(s, HS_STATUS_BAD_RESERVED, at + 3), false;
+        if (r[3] >> 8 || !good_sharpness(r[3] & 0xf) || !good_sharpness(r[3] >> 4))
+            return refuse(s, HS_STATUS_BAD_SHARPNESS, at + 3), false;
 
         if (corner == 0) {
             shape = r[2] & 0xffff;
@@ -118,6 +145,8 @@ static bool read_corners(hs_state *s, const hs_packet *in) {
         }
         s->origin[h] = r[0];
         s->twin[h] = r[1];
+        s->sharp[h] = r[3] & 0xf;
+        if (s->stays[r[0]] < r[3] >> 4) s->stays[r[0]] = (uint8_t)(r[3] >> 4);
         s->face[h] = face;
         corner = ends ? 0 : corner + 1;
         face += ends;
@@ -149,10 +178,61 @@ static void check_topology(hs_state *s) {
                 return refuse(s, HS_STATUS_BAD_VALENCE, at + 4 * (size_t)h);
             uint32_t next = h + 1 < s->first[f + 1] ? h + 1 : s->first[f];
             uint32_t t = s->twin[h];
-            if (t != HS_BORDER && (s->twin[t] != h || s->origin[t] != s->origin[next]))
+            if (t == HS_BORDER) continue;
+            if (s->twin[t] != h || s->origin[t] != s->origin[next])
                 return refuse(s, HS_STATUS_BAD_TWIN, at + 4 * (size_t)h + 1);
+            if (s->sharp[t] != s->sharp[h])
+                return refuse(s, HS_STATUS_BAD_SHARPNESS, at + 4 * (size_t)h + 3);
         }
     }
+}
+
+/* Puts a sharpness among the three largest ones of a vertex, in descending order. */
+static void insert(uint8_t largest[3], uint8_t sharpness) {
+    for (int i = 0; i < 3; i++)
+        if (sharpness > largest[i]) {
+            const uint8_t smaller = largest[i];
+            largest[i] = sharpness;
+            sharpness = smaller;
+        }
+}
+
+/* Which vertices stay and which lie on a crease, and until when, follows from the three largest
+ * sharpnesses of their edges. Every edge inside has one half-edge that leaves each of its ends; at
+ * a boundary as many half-edges leave a vertex as arrive, so each that leaves counts twice. */
+static void find_sharp_vertices(hs_state *s) {
+    uint8_t(*largest)[3] = calloc(s->vertices, sizeof *largest);
+    if (!largest) {
+        s->exhausted = true;
+        return;
+    }
+    const bool kept = s->settings.boundary == HS_BOUNDARY_KEPT;
+    s->plain = !s->settings.limit && !s->settings.min_edge;
+    s->boundary = 0;
+    for (uint32_t h = 0; h < s->halfedges; h++) {
+        uint8_t *of_origin = largest[s->origin[h]];
+        if (s->twin[h] != HS_BORDER) {
+            insert(of_origin, s->sharp[h]);
+            s->plain &= !s->sharp[h];
+        } else {
+            s->sharp[h] = 0;
+            if (kept) continue;
+            s->twin[h] = BOUNDARY_TWIN;
+            insert(of_origin, HS_SHARP_INFINITE);
+            insert(of_origin, HS_SHARP_INFINITE);
+            s->boundary++;
+            s->plain = false;
+        }
+    }
+    for (uint32_t v = 0; v < s->vertices; v++) {
+        const bool corner = s->settings.boundary == HS_BOUNDARY_SMOOTH && s->valence[v] == 1 &&
+                            largest[v][1] == HS_SHARP_INFINITE;
+        if (largest[v][2] > s->stays[v]) s->stays[v] = largest[v][2];
+        if (corner) s->stays[v] = HS_SHARP_INFINITE;
+        s->crease[v] = largest[v][1];
+        s->plain &= !s->stays[v];
+    }
+    free(largest);
 }
 
 void hs_stage_receive(hs_state *s, const hs_packet *in) {
@@ -161,7 +241,9 @@ void hs_stage_receive(hs_state *s, const hs_packet *in) {
     s->max_forced = 0;
     if (!read_header(s, in) || !read_matrix(s, in)) return;
     if (!hs_state_reserve(s, s->vertices, s->faces, s->halfedges)) return;
+    memset(s->stays, 0, s->vertices);
     if (!read_vertices(s, in) || !read_corners(s, in) || !read_trailer(s, in)) return;
     memset(s->valence, 0, s->vertices);
     check_topology(s);
+    if (s->status == HS_STATUS_OK) find_sharp_vertices(s);
 }

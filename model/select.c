@@ -3,11 +3,11 @@
  * select: which active faces this view wants refined.
  *
  *   selected = candidate and (wanted or g < forced)
- *   wanted   = in_view and (front and g < front_depth
- *                           or a silhouette vertex and g < silhouette_depth)
+ *   wanted   = in_view and not stop and (front and g < front_depth
+ *                                        or a silhouette vertex and g < silhouette_depth)
  *
  * A vertex that collected both front and back is a silhouette vertex; a face with a vertex that
- * collected hits is in view.
+ * collected hits is in view; a face stops where all its edges are shorter than the least edge.
  */
 #include "golden_state.h"
 
@@ -20,8 +20,9 @@ static bool wanted(const hs_state *s, uint32_t f) {
         in_view |= (mark & MARK_HITS) != 0;
         silhouette |= (mark & MARK_FRONT) && (mark & MARK_BACK);
     }
-    return in_view && (((s->face_mark[f] & MARK_FRONT) && g < s->settings.front_depth) ||
-                       (silhouette && g < s->settings.silhouette_depth));
+    return in_view && !(s->face_mark[f] & MARK_STOP) &&
+           (((s->face_mark[f] & MARK_FRONT) && g < s->settings.front_depth) ||
+            (silhouette && g < s->settings.silhouette_depth));
 }
 
 void hs_stage_select(hs_state *s) {
