@@ -37,6 +37,7 @@ module emit #(
     input  logic [  7:0] op_generation_i,
     input  logic [ 23:0] op_number_i,      // VERTEX, CORNER: the vertex
     input  logic [127:0] op_position_i,    // VERTEX: x, y, z, w from bit 0 up, S1.30
+    input  logic         op_at_level_i,    // VERTEX: leaves where its level has it, not at the limit
     input  logic [  3:0] op_mask_i,        // FACES: slots in use
     input  logic [  3:0] op_triangle_i,    // FACES: the slot has 3 sides, not 4
     input  logic [  3:0] op_child_i,       // FACES: the slot's face left a generation later
@@ -77,8 +78,8 @@ module emit #(
   localparam logic [8:0] TAG = 9'(hs_pkg::TAG);
 
   // An op without its position, in one word:
-  // {vertex, mask, triangle, child, candidate, sides, first, last, number, generation, kind}
-  localparam int unsigned OP_BITS = 384 + 4 + 4 + 4 + 4 + 8 + 1 + 1 + 24 + 8 + 3;
+  // {at_level, vertex, mask, triangle, child, candidate, sides, first, last, number, generation, kind}
+  localparam int unsigned OP_BITS = 1 + 384 + 4 + 4 + 4 + 4 + 8 + 1 + 1 + 24 + 8 + 3;
 
   // --- The op that comes next, as it was given ---------------------------------------------------
   logic next_valid_q, next_taken;
@@ -96,8 +97,8 @@ module emit #(
   always_ff @(posedge clk_i) begin
     if (op_ready_o) next_valid_q <= op_valid_i && leaves_trace;
     if (op_ready_o && op_valid_i) begin
-      next_q <= {op_vertex_i, op_mask_i, op_triangle_i, op_child_i, op_candidate_i, op_sides_i,
-                 op_first_i, op_last_i, op_number_i, op_generation_i, op_kind_i};
+      next_q <= {op_at_level_i, op_vertex_i, op_mask_i, op_triangle_i, op_child_i, op_candidate_i,
+                 op_sides_i, op_first_i, op_last_i, op_number_i, op_generation_i, op_kind_i};
       next_position_q <= op_position_i;
     end
     if (rst_i) next_valid_q <= 1'b0;
@@ -125,7 +126,7 @@ module emit #(
   logic [23:0] number;
   logic [3:0] mask, triangle, child, candidate;
   logic [383:0] vertex;
-  logic first, last;
+  logic first, last, at_level;
 
   assign next_taken = next_valid_q && (!valid_q || go);
 
@@ -138,8 +139,8 @@ module emit #(
     if (rst_i) valid_q <= 1'b0;
   end
 
-  assign {vertex, mask, triangle, child, candidate, sides, first, last, number, generation, kind} =
-      this_q;
+  assign {at_level, vertex, mask, triangle, child, candidate, sides, first, last, number, generation,
+          kind} = this_q;
 
   // --- What vertices and faces become ------------------------------------------------------------
   logic go_vertex, go_face, vertex_waits;
@@ -167,7 +168,7 @@ module emit #(
   );
 
   // --- The records of this op --------------------------------------------------------------------
-  logic [31:0] vertices_q, faces_q, triangles_q;  // sent in this packet
+  logic [31:0] vertices_q, at_level_q, faces_q, triangles_q;  // sent in this packet
   logic [511:0] records;
   logic [  2:0] count;
 
@@ -191,7 +192,7 @@ module emit #(
       end
       default: begin  // TRAILER; pack puts the CRC into END's last word
         records[255:0] = {
-          32'd0, 32'd0, triangles_q, TAG, hs_pkg::RECORD_END, 12'd0, generation,
+          32'd0, at_level_q, triangles_q, TAG, hs_pkg::RECORD_END, 12'd0, generation,
           faces_q, vertices_q, position_i, TAG, hs_pkg::RECORD_TRAILER, 12'd0, status_i
         };
         count = 3'd2;
@@ -205,10 +206,14 @@ module emit #(
   always_ff @(posedge clk_i) begin
     if (go && kind == HEADER) begin
       vertices_q  <= 32'd0;
+      at_level_q  <= 32'd0;
       faces_q     <= 32'd0;
       triangles_q <= 32'd0;
     end
-    if (go_vertex) vertices_q <= vertices_q + 32'd1;
+    if (go_vertex) begin
+      vertices_q <= vertices_q + 32'd1;
+      at_level_q <= at_level_q + {31'd0, at_level};
+    end
     if (go_face) begin
       faces_q     <= faces_q + {29'd0, complete};
       triangles_q <= triangles_q + {29'd0, complete_triangles};
@@ -285,8 +290,8 @@ module emit #(
   op_stays :
   assert property (@(posedge clk_i) disable iff (rst_i)
       op_valid_i && !op_ready_o |=> op_valid_i && $stable(
-      {op_kind_i, op_generation_i, op_number_i, op_position_i, op_mask_i, op_triangle_i,
-       op_child_i, op_candidate_i, op_vertex_i, op_sides_i, op_first_i, op_last_i}))
+      {op_kind_i, op_generation_i, op_number_i, op_position_i, op_at_level_i, op_mask_i,
+       op_triangle_i, op_child_i, op_candidate_i, op_vertex_i, op_sides_i, op_first_i, op_last_i}))
   else $error("emit: an op was withdrawn before it was taken");
   op_is_known :
   assert property (@(posedge clk_i) disable iff (rst_i)

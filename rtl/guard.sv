@@ -12,7 +12,9 @@
 //   * Every item gets a verdict in the verdict memory, {refined, selected, number}: per quad, or in
 //     generation 0 per corner, so that split can look up the face beyond a twin.
 //   * Vertices of a face that is not refined are set in the held memory.
-//   * refined_o and sides_o count the refined faces and their sides.
+//   * refined_o and sides_o count the refined faces and their sides: a boundary side twice in an odd
+//     step, which makes a half-quad of it, and not at all in an even one.
+//   * A new vertex on a sharp edge (new_sharpness_o) is on a crease as long as the edge was sharp.
 //   * Rate: a quad, or in generation 0 a corner, a cycle, and a cycle more for each bank conflict.
 
 module guard #(
@@ -27,6 +29,7 @@ module guard #(
     input  logic          start_i,
     input  logic [  QW:0] items_i,
     input  logic          quads_i,
+    input  logic          odd_i,    // the step is odd
     input  logic          guard_i,
     input  logic          all_i,
     input  logic [  VW:0] first_new_i,
@@ -39,6 +42,9 @@ module guard #(
     output logic [  QW-1:0] record_rd_item_o,
     output logic [  QW-1:0] record_rd_face_o,
     input  logic [4*VW-1:0] record_origin_i,
+    input  logic [     3:0] record_boundary_i,
+    input  logic [     3:0] record_tag_i,
+    input  logic            record_half_i,
     input  logic            record_last_i,
     input  logic            face_selected_i,
     input  logic [   127:0] face_point_i,
@@ -61,6 +67,7 @@ module guard #(
     output logic          new_valid_o,
     output logic [VW-1:0] new_vertex_o,
     output logic [ 127:0] new_position_o,
+    output logic [   3:0] new_sharpness_o,
 
     // counters
     output logic       busy_o,
@@ -72,7 +79,11 @@ module guard #(
 );
 
   // --- Fetch and gather -----------------------------------------------------------------------------
-  localparam int unsigned ITEM = 1 + 1 + 128 + 4 * VW;  // {last, selected, point, origins}
+  // {last, selected, lanes, boundary, tag, point, origins}
+  localparam int unsigned ITEM = 1 + 1 + 4 + 4 + 4 + 128 + 4 * VW;
+
+  logic [3:0] fetch_lanes;
+  assign fetch_lanes = !quads_i ? 4'b0001 : record_half_i ? 4'b0111 : 4'b1111;
 
   logic fetch_valid, fetch_ready, fetch_active, stall;
   logic gather_valid, gather_active;
@@ -110,8 +121,11 @@ module guard #(
       .stall_i(stall),
       .in_valid_i(fetch_valid),
       .in_ready_o(fetch_ready),
-      .in_item_i({record_last_i, face_selected_i, face_point_i, record_origin_i}),
-      .in_mask_i(quads_i ? 4'b1111 : 4'b0001),
+      .in_item_i({
+        record_last_i, face_selected_i, fetch_lanes, record_boundary_i, record_tag_i, face_point_i,
+        record_origin_i
+      }),
+      .in_mask_i(fetch_lanes),
       .in_index_i(record_origin_i),
       .rd_en_o(chosen_rd_en_o),
       .rd_row_o(chosen_rd_row_o),
@@ -126,17 +140,21 @@ module guard #(
   // --- The verdict, and the number of the new vertex ----------------------------------------------------
   logic touches, touches_q, first_q;  // a vertex is a selected face's; _q: of the corners so far
   logic last, selected, refined;
-  logic [7:0] corner_q;  // generation 0: corners of the face before this one
+  logic [3:0] lanes, boundary, tag;
+  logic [8:0] sides, sides_before_q;  // of the face so far; _q: generation 0: without this corner
   logic [VW:0] number_q;
   logic [QW:0] refined_q;
   logic [QW+2:0] sides_q;
 
-  assign {last, selected} = gather_item[ITEM-1:ITEM-2];
+  assign {last, selected, lanes, boundary, tag} = gather_item[ITEM-1:ITEM-14];
 
   always_comb begin
     touches = !first_q && touches_q;
     for (int i = 0; i < 4; i++)
-      if (i == 0 || quads_i) touches = touches || gather_data[i];
+      if (lanes[i]) touches = touches || gather_data[i];
+    sides = first_q ? 9'd0 : sides_before_q;
+    for (int i = 0; i < 4; i++)
+      if (lanes[i]) sides = sides + (!boundary[i] ? 9'd1 : odd_i ? 9'd2 : 9'd0);
   end
   assign refined = all_i || (guard_i ? touches : selected);
 
@@ -144,16 +162,15 @@ module guard #(
     if (gather_valid) begin
       first_q   <= last;
       touches_q <= touches;
-      corner_q  <= last ? 8'd0 : corner_q + 8'd1;
+      sides_before_q <= sides;
       if (last && refined) begin
         number_q <= number_q + (VW + 1)'(1);
         refined_q <= refined_q + (QW + 1)'(1);
-        sides_q <= sides_q + (quads_i ? (QW + 3)'(4) : (QW + 3)'(corner_q) + (QW + 3)'(1));
+        sides_q <= sides_q + (QW + 3)'(sides);
       end
     end
     if (start_i) begin
       first_q   <= 1'b1;
-      corner_q  <= 8'd0;
       number_q  <= first_new_i;
       refined_q <= '0;
       sides_q   <= '0;
@@ -166,17 +183,19 @@ module guard #(
   assign new_valid_o = gather_valid && last && refined && !number_q[VW];
   assign new_vertex_o = number_q[VW-1:0];
   assign new_position_o = gather_item[4*VW+:128];
+  assign new_sharpness_o = odd_i ? 4'd0 : tag;
 
   // --- Fold: every item with its face's verdict -----------------------------------------------------------
   localparam int unsigned RESULT = 2 + VW;  // {refined, selected, number}
 
   logic fold_valid, fold_ready, fold_active, scatter_active;
   logic [4*VW-1:0] fold_origin;
+  logic [3:0] fold_lanes;
   logic [RESULT-1:0] fold_result;
 
   /* verilator lint_off PINCONNECTEMPTY */
   fold #(
-      .ITEM_WIDTH(4 * VW),
+      .ITEM_WIDTH(4 + 4 * VW),
       .RESULT_WIDTH(RESULT)
   ) u_fold (
       .clk_i,
@@ -184,13 +203,13 @@ module guard #(
       .stall_o(stall),
       .item_valid_i(gather_valid),
       .item_last_i(last),
-      .item_i(gather_item[4*VW-1:0]),
+      .item_i({lanes, gather_item[4*VW-1:0]}),
       .result_valid_i(gather_valid && last),
       .result_i({refined, selected || all_i, number_q[VW-1:0]}),
       .out_valid_o(fold_valid),
       .out_ready_i(fold_ready),
       .out_last_o(),
-      .out_item_o(fold_origin),
+      .out_item_o({fold_lanes, fold_origin}),
       .out_result_o(fold_result),
       .active_o(fold_active)
   );
@@ -204,7 +223,7 @@ module guard #(
       .rst_i,
       .in_valid_i(fold_valid),
       .in_ready_o(fold_ready),
-      .in_mask_i(fold_result[RESULT-1] ? 4'b0000 : quads_i ? 4'b1111 : 4'b0001),
+      .in_mask_i(fold_result[RESULT-1] ? 4'b0000 : fold_lanes),
       .in_index_i(fold_origin),
       .in_data_i(4'd0),
       .en_o(held_wr_en_o),

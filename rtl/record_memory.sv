@@ -3,12 +3,15 @@
 // The active mesh: one generation's records on one side, the next generation's in the making on the
 // other. A quad's record has two halves, written by the two half-edges that it comes from:
 //
-//   half  {selected, forced[7:0], border of c1, border of c0, twin of c1, twin of c0, origin of c1,
-//          origin of c0}
+//   half  {selected, forced[7:0], half-quad, place, sharpness[3:0], boundary of c1, boundary of c0,
+//          border of c1, border of c0, twin of c1, twin of c0, origin of c1, origin of c0}
 //
 //   lanes 0, 1: the lower half's c0, c1;   lanes 2, 3: the upper half's
 //
-// A quad is a candidate if both halves say selected; its forced depth is the smaller one.
+// A quad is a candidate if both halves say selected; its forced depth is the smaller one. In odd
+// generations both halves hold the sharpness of the edge that the quad was made of (15 if that was a
+// boundary edge); in even ones each the sharpness of one of its two half-edges, c1 if place is set,
+// the other one being smooth. A half-quad (the upper half says so) has no lane 3.
 //
 // Generation 0 has a corner a record, in the lower half: c0 is the corner, {first, last of its face}
 // stand in place of c1's twin. It is read from side 0; side 1 holds it twice, for check_twins.
@@ -22,7 +25,7 @@ module record_memory #(
     localparam int unsigned BANKS = 1 << BANK_BITS,
     localparam int unsigned ROW_BITS = QW - BANK_BITS,
     localparam int unsigned HW = QW + 2,
-    localparam int unsigned HALF = 2 * VW + 2 * HW + 11
+    localparam int unsigned HALF = 2 * VW + 2 * HW + 19
 ) (
     input logic clk_i,
 
@@ -35,6 +38,8 @@ module record_memory #(
     input logic [VW-1:0] corner_origin_i,
     input logic [QW-1:0] corner_twin_i,
     input logic          corner_border_i,
+    input logic          corner_boundary_i,
+    input logic [   3:0] corner_sharpness_i,
     input logic [   7:0] corner_forced_i,
     input logic          corner_first_i,
     input logic          corner_last_i,
@@ -45,6 +50,10 @@ module record_memory #(
     output logic [4*VW-1:0] origin_o,
     output logic [4*HW-1:0] twin_o,
     output logic [     3:0] border_o,
+    output logic [     3:0] boundary_o,
+    output logic [    15:0] sharp_o,      // even generations: of each lane's half-edge
+    output logic [     3:0] tag_o,        // odd generations: of the edge that the quad was made of
+    output logic            half_o,
     output logic            candidate_o,
     output logic [     7:0] forced_o,
     output logic            last_o,
@@ -54,7 +63,8 @@ module record_memory #(
     input  logic [QW-1:0] a_rd_index_i,
     output logic [VW-1:0] a_origin_o,
     output logic [QW-1:0] a_twin_o,
-    output logic          a_border_o,
+    output logic          a_border_o,     // border or boundary
+    output logic [   3:0] a_sharpness_o,
     output logic          a_first_o,
     output logic          a_last_o,
     input  logic          b_rd_en_i,
@@ -62,6 +72,7 @@ module record_memory #(
     output logic [VW-1:0] b_origin_o,
     output logic [QW-1:0] b_twin_o,
     output logic          b_border_o,
+    output logic [   3:0] b_sharpness_o,
 
     // split: halves of the next generation
     input logic [         BANKS-1:0] lower_wr_en_i,
@@ -82,6 +93,10 @@ module record_memory #(
   assign corner = {
     1'b1,
     corner_forced_i,
+    2'b00,
+    corner_sharpness_i,
+    1'b0,
+    corner_boundary_i,
     1'b0,
     corner_border_i,
     (HW - 2)'(0),
@@ -146,18 +161,32 @@ module record_memory #(
   logic [HALF-1:0] lower, upper;
   logic lower_selected, upper_selected;
   logic [7:0] lower_forced, upper_forced;
-  logic [1:0] lower_border, upper_border;
+  logic [1:0] lower_border, upper_border, lower_boundary, upper_boundary;
+  logic [3:0] lower_sharpness, upper_sharpness;
+  logic lower_place, upper_place, half;
+  /* verilator lint_off UNUSEDSIGNAL */
+  logic lower_half;  // the upper half says it
+  /* verilator lint_on UNUSEDSIGNAL */
   logic [2*HW-1:0] lower_twin, upper_twin;
   logic [2*VW-1:0] lower_origin, upper_origin;
 
   assign lower = side_i ? word[2*HALF+:HALF] : word[0*HALF+:HALF];
   assign upper = side_i ? word[3*HALF+:HALF] : word[1*HALF+:HALF];
-  assign {lower_selected, lower_forced, lower_border, lower_twin, lower_origin} = lower;
-  assign {upper_selected, upper_forced, upper_border, upper_twin, upper_origin} = upper;
+  assign {lower_selected, lower_forced, lower_half, lower_place, lower_sharpness, lower_boundary,
+          lower_border, lower_twin, lower_origin} = lower;
+  assign {upper_selected, upper_forced, half, upper_place, upper_sharpness, upper_boundary,
+          upper_border, upper_twin, upper_origin} = upper;
 
   assign origin_o = {upper_origin, lower_origin};
   assign twin_o = {upper_twin, lower_twin};
   assign border_o = {upper_border, lower_border};
+  assign boundary_o = {upper_boundary, lower_boundary};
+  assign sharp_o = {
+    upper_place ? upper_sharpness : 4'd0, upper_place ? 4'd0 : upper_sharpness,
+    lower_place ? lower_sharpness : 4'd0, lower_place ? 4'd0 : lower_sharpness
+  };
+  assign tag_o = lower_sharpness;
+  assign half_o = half && quads_i;
   assign candidate_o = lower_selected && (upper_selected || !quads_i);
   assign forced_o = quads_i && upper_forced < lower_forced ? upper_forced : lower_forced;
   assign last_o = quads_i || lower_twin[HW];
@@ -169,11 +198,13 @@ module record_memory #(
   assign b = word[3*HALF+:HALF];
   assign a_origin_o = a[VW-1:0];
   assign a_twin_o = a[2*VW+:QW];
-  assign a_border_o = a[2*VW+2*HW];
+  assign a_border_o = a[2*VW+2*HW] || a[2*VW+2*HW+2];
+  assign a_sharpness_o = a[2*VW+2*HW+4+:4];
   assign a_last_o = a[2*VW+HW];
   assign a_first_o = a[2*VW+HW+1];
   assign b_origin_o = b[VW-1:0];
   assign b_twin_o = b[2*VW+:QW];
-  assign b_border_o = b[2*VW+2*HW];
+  assign b_border_o = b[2*VW+2*HW] || b[2*VW+2*HW+2];
+  assign b_sharpness_o = b[2*VW+2*HW+4+:4];
 
 endmodule

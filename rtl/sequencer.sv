@@ -39,6 +39,9 @@ module sequencer #(
     input  logic [ 7:0] receive_status_i,
     input  logic [31:0] receive_position_i,
     input  logic        uniform_i,
+    input  logic        limit_i,
+    input  logic        kept_i,       // boundary mode
+    input  logic [QW:0] boundary_i,   // boundary edges, if their mode is another
     input  logic [ 7:0] front_depth_i,
     input  logic [ 7:0] silhouette_depth_i,
     input  logic [ 7:0] uniform_depth_i,
@@ -55,6 +58,7 @@ module sequencer #(
     input  logic          check_active_i,
     input  logic          check_error_i,
     input  logic [QW-1:0] check_corner_i,
+    input  logic          check_sharpness_i,  // the error is of the sharpness word
     input  logic          valence_error_i,
     input  logic [QW-1:0] valence_corner_i,
 
@@ -115,6 +119,7 @@ module sequencer #(
   logic [7:0] generation_q, status_q, depth;
   logic [31:0] position_q;
   logic [QW:0] items_q, faces_q;
+  logic [QW+1:0] boundary_q;  // uniform runs: boundary edges at the latest even generation
   logic [VW:0] vertices_q;
   logic side_q, finish_q, busy_q;
 
@@ -126,6 +131,9 @@ module sequencer #(
   end
 
   logic [QW:0] refined;
+  /* verilator lint_off UNUSEDSIGNAL */
+  logic [QW+3:0] all_sides;  // never reaches its highest bit: faces and boundary are within bounds
+  /* verilator lint_on UNUSEDSIGNAL */
   logic [QW+2:0] sides;
   logic exceeds, ends, empty;
 
@@ -136,11 +144,15 @@ module sequencer #(
   // On a mesh with a boundary a step may leave triangles only: then nothing is selected any more.
   assign empty = items_q == '0;
   assign refined = all_o ? faces_q : refined_i;
-  assign sides = all_o ? {faces_q, 2'b00} : sides_i;
+  // A boundary side counts twice in an odd step; in an even one a half-quad counts two sides.
+  assign all_sides = (QW + 4)'({faces_q, 2'b00}) +
+      (odd_o ? (QW + 4)'(boundary_q) : -(QW + 4)'({boundary_q, 1'b0}));
+  assign sides = all_o ? all_sides[QW+2:0] : sides_i;
   assign exceeds = 32'(vertices_q) + 32'(refined) > 32'(limit_vertices_i) ||
       (32'(sides) + 32'd1) >> 1 > 32'(limit_quads_i);
 
-  assign last_o = !finish_q && generation_q + 8'd1 == depth;
+  // For limit positions every vertex needs its ring: no generation is skipped.
+  assign last_o = !finish_q && !limit_i && generation_q + 8'd1 == depth;
   assign finish_o = finish_q;
   assign generation_o = generation_q;
   assign side_o = side_q;
@@ -149,10 +161,10 @@ module sequencer #(
   assign new_o = (VW + 1)'(refined);
   assign refused_o = status_q != OK && status_q != STOPPED;
 
-  // In an even step of a closed mesh, nothing moves and nothing is held.
+  // In an even step without borders, nothing moves and nothing is held.
   logic smooth_idle;
 
-  assign smooth_idle = uniform_i && closed_i && !odd_o && !last_o && !finish_q;
+  assign smooth_idle = uniform_i && (closed_i || !kept_i) && !odd_o && !last_o && !ends;
 
   // --- Errors of the topology, found in generation 0 -------------------------------------------------------
   logic valence_error_q;
@@ -213,6 +225,7 @@ module sequencer #(
           items_q <= halfedges_i;
           faces_q <= faces_i;
           vertices_q <= vertices_i;
+          boundary_q <= (QW + 2)'(boundary_i);
           kick_q <= 1'b1;
           state_q <= receive_status_i == OK ? CLASSIFY : HEADER;
         end
@@ -222,14 +235,16 @@ module sequencer #(
       if (!kick_q && !classify_active_i && !(check_active_i && !quads_o)) begin
         kick_q <= 1'b1;
         if (!quads_o && topology_error) begin
-          status_q <= valence_first ? hs_pkg::STATUS_BAD_VALENCE : hs_pkg::STATUS_BAD_TWIN;
-          position_q <= corners_at + 4 * topology_corner + 32'(!valence_first);
+          status_q <= valence_first ? hs_pkg::STATUS_BAD_VALENCE :
+              check_sharpness_i ? hs_pkg::STATUS_BAD_SHARPNESS : hs_pkg::STATUS_BAD_TWIN;
+          position_q <= corners_at + 4 * topology_corner +
+              (valence_first ? 32'd0 : check_sharpness_i ? 32'd3 : 32'd1);
         end
         finish_q <= ends || (all_o && (exceeds || empty));
-        if (all_o && exceeds) status_q <= STOPPED;
+        if (all_o && exceeds && !ends) status_q <= STOPPED;
         if (!quads_o) state_q <= HEADER;
         else if (all_o) state_q <= smooth_idle && !exceeds ? SPLIT : SMOOTH;
-        else state_q <= SELECT;
+        else state_q <= ends ? SMOOTH : SELECT;
       end
 
       HEADER:
@@ -270,6 +285,7 @@ module sequencer #(
         generation_q <= generation_q + 8'd1;
         side_q <= !side_q;
         vertices_q <= vertices_q + (VW + 1)'(refined);
+        if (!odd_o) boundary_q <= boundary_q << 1;
         items_q <= children_i;
         faces_q <= children_i;
         state_q <= CLASSIFY;

@@ -11,7 +11,9 @@
 //          v
 //
 // Quads are numbered by the lower of their two half-edges. An edge of one refined face only is
-// kept: it yields the final triangle (v, w, F); a face that is not refined is final itself.
+// kept: it yields the final triangle (v, w, F); a face that is not refined is final itself. A boundary
+// edge is replaced alone: an odd step makes the half-quad (w, F, v) of it, with the edge itself in
+// slot 2; in the even step that slot has no children, and what would be twinned with them is boundary.
 //
 //   fetch -----> gather -----------> split_number --------> split_write
 //   records      verdicts beyond     which edges are        child halves,
@@ -37,6 +39,7 @@ module split #(
     input  logic        start_i,
     input  logic [QW:0] items_i,
     input  logic        quads_i,
+    input  logic        odd_i,        // the step is odd
     input  logic        all_i,
     input  logic        last_i,       // the children are final: they leave at once
     input  logic        finish_i,     // nothing is refined: all active faces are final
@@ -51,6 +54,10 @@ module split #(
     input  logic [    4*VW-1:0] record_origin_i,
     input  logic [4*(QW+2)-1:0] record_twin_i,
     input  logic [         3:0] record_border_i,
+    input  logic [         3:0] record_boundary_i,
+    input  logic [        15:0] record_sharp_i,
+    input  logic [         3:0] record_tag_i,
+    input  logic                record_half_i,
     input  logic                record_candidate_i,
     input  logic [         7:0] record_forced_i,
     input  logic                record_last_i,
@@ -73,16 +80,17 @@ module split #(
     // next generation's records, a half by its lower and one by its upper half-edge
     output logic [                 (1<<BANK_BITS)-1:0] lower_wr_en_o,
     output logic [   (QW-BANK_BITS)*(1<<BANK_BITS)-1:0] lower_wr_row_o,
-    output logic [(2*VW+2*QW+15)*(1<<BANK_BITS)-1:0] lower_wr_data_o,
+    output logic [(2*VW+2*QW+23)*(1<<BANK_BITS)-1:0] lower_wr_data_o,
     output logic [                 (1<<BANK_BITS)-1:0] upper_wr_en_o,
     output logic [   (QW-BANK_BITS)*(1<<BANK_BITS)-1:0] upper_wr_row_o,
-    output logic [(2*VW+2*QW+15)*(1<<BANK_BITS)-1:0] upper_wr_data_o,
+    output logic [(2*VW+2*QW+23)*(1<<BANK_BITS)-1:0] upper_wr_data_o,
 
     // new vertices: born here if all_i, else just marked as sent
     output logic          birth_o,
     output logic          sent_o,
     output logic [VW-1:0] birth_vertex_o,
     output logic [ 127:0] birth_position_o,
+    output logic [   3:0] birth_sharpness_o,
 
     // to emit
     output logic         op_valid_o,
@@ -133,9 +141,11 @@ module split #(
   assign own_number = all_i ? first_new_i + VW'(fetch_item) : own_verdict_i[VW-1:0];
 
   // --- Gather the verdicts of the faces beyond the item's edges ----------------------------------
-  // What goes along for split_write: {last, candidate, forced, selected, number, point, origins}.
-  localparam int unsigned REST = 1 + 1 + 8 + 1 + VW + 128 + 4 * VW;
-  localparam int unsigned ITEM = 1 + REST + QW + 4 + 4 * HW;  // refined, rest, item, border, twins
+  // What goes along for split_write: {last, candidate, forced, selected, half, tag, sharpness, number,
+  // point, origins}.
+  localparam int unsigned REST = 1 + 1 + 8 + 1 + 1 + 4 + 16 + VW + 128 + 4 * VW;
+  // {refined, rest, item, lanes, boundary, border, twins}
+  localparam int unsigned ITEM = 1 + REST + QW + 4 + 4 + 4 + 4 * HW;
 
   logic [3:0] lanes;
   logic [4*QW-1:0] fetch_beyond;  // the item that a twin belongs to
@@ -143,7 +153,7 @@ module split #(
   logic [ITEM-1:0] beyond;
   logic [4*(VW+2)-1:0] beyond_verdict;
 
-  assign lanes = quads_i ? 4'b1111 : 4'b0001;
+  assign lanes = !quads_i ? 4'b0001 : record_half_i ? 4'b0111 : 4'b1111;
   for (genvar i = 0; i < 4; i++) begin : g_beyond
     assign fetch_beyond[i*QW+:QW] =
         quads_i ? record_twin_i[i*HW+2+:QW] : record_twin_i[i*HW+:QW];
@@ -158,11 +168,11 @@ module split #(
       .clk_i, .rst_i, .stall_i(beyond_stall), .in_valid_i(fetch_valid), .in_ready_o(fetch_ready),
       .in_item_i({
         own_refined,
-        {record_last_i, record_candidate_i, record_forced_i, own_selected, own_number,
-         face_point_i, record_origin_i},
-        fetch_item, record_border_i, record_twin_i
+        {record_last_i, record_candidate_i, record_forced_i, own_selected, record_half_i,
+         record_tag_i, record_sharp_i, own_number, face_point_i, record_origin_i},
+        fetch_item, lanes, record_boundary_i, record_border_i, record_twin_i
       }),
-      .in_mask_i(own_refined && !all_i ? lanes & ~record_border_i : 4'b0000),
+      .in_mask_i(own_refined && !all_i ? lanes & ~record_border_i & ~record_boundary_i : 4'b0000),
       .in_index_i(fetch_beyond), .rd_en_o(verdict_rd_en_o), .rd_row_o(verdict_rd_row_o),
       .rd_data_i(verdict_rd_data_i), .out_valid_o(beyond_valid), .out_item_o(beyond),
       .out_data_o(beyond_verdict), .conflict_o(conflict_o[0]), .active_o(beyond_active)
@@ -172,52 +182,61 @@ module split #(
   logic beyond_refined;
   logic [REST-1:0] beyond_rest, numbered_rest;
   logic [QW-1:0] beyond_item;
-  logic [3:0] beyond_border, replaced, lower, selected_beyond;
+  logic [3:0] beyond_lanes, beyond_boundary, beyond_border;
+  logic [3:0] numbered_lanes, boundary, replaced, lower, selected_beyond;
   logic [4*HW-1:0] beyond_twin, children;
   logic [4*VW-1:0] number_beyond;
   logic numbered_valid, numbered_stall, number_active, numbered_refined;
 
-  assign {beyond_refined, beyond_rest, beyond_item, beyond_border, beyond_twin} = beyond;
+  assign {beyond_refined, beyond_rest, beyond_item, beyond_lanes, beyond_boundary, beyond_border,
+          beyond_twin} = beyond;
 
   split_number #(
       .VW(VW),
       .QW(QW),
       .BANK_BITS(BANK_BITS),
-      .REST(1 + REST)
+      .REST(1 + 4 + 4 + REST)
   ) u_number (
-      .clk_i, .rst_i, .start_i, .quads_i, .all_i, .last_step_i(last_i), .first_new_i,
+      .clk_i, .rst_i, .start_i, .quads_i, .odd_i, .all_i, .last_step_i(last_i), .first_new_i,
       .count_o(children_o), .active_o(number_active), .valid_i(beyond_valid),
       .stall_o(beyond_stall), .item_i(beyond_item), .refined_i(beyond_refined),
-      .border_i(beyond_border), .twin_i(beyond_twin), .verdict_i(beyond_verdict),
-      .rest_i({beyond_refined, beyond_rest}), .number_wr_en_o, .number_wr_item_o,
+      .lanes_i(beyond_lanes), .boundary_i(beyond_boundary), .border_i(beyond_border),
+      .twin_i(beyond_twin), .verdict_i(beyond_verdict),
+      .rest_i({beyond_refined, beyond_lanes, beyond_boundary, beyond_rest}), .number_wr_en_o, .number_wr_item_o,
       .number_wr_data_o, .number_rd_en_o, .number_rd_row_o, .number_rd_data_i,
       .stall_i(numbered_stall), .valid_o(numbered_valid),
-      .rest_o({numbered_refined, numbered_rest}), .replaced_o(replaced), .lower_o(lower),
+      .rest_o({numbered_refined, numbered_lanes, boundary, numbered_rest}), .replaced_o(replaced), .lower_o(lower),
       .children_o(children), .beyond_selected_o(selected_beyond),
       .beyond_number_o(number_beyond), .conflict_o(conflict_o[1])
   );
 
   // --- Write -------------------------------------------------------------------------------------
-  logic last, candidate, selected, write_active;
+  logic last, candidate, selected, half, write_active;
+  logic [3:0] tag;
+  logic [15:0] sharp;
   logic [7:0] forced;
   logic [VW-1:0] number;
   logic [127:0] point;
   logic [4*VW-1:0] origin;
 
-  assign {last, candidate, forced, selected, number, point, origin} = numbered_rest;
+  assign {last, candidate, forced, selected, half, tag, sharp, number, point, origin} =
+      numbered_rest;
 
   split_write #(
       .VW(VW),
       .QW(QW),
       .BANK_BITS(BANK_BITS)
   ) u_write (
-      .clk_i, .rst_i, .start_i, .quads_i, .last_step_i(last_i), .all_i, .stall_o(numbered_stall),
+      .clk_i, .rst_i, .start_i, .quads_i, .odd_i, .last_step_i(last_i), .all_i,
+      .stall_o(numbered_stall), .lanes_i(numbered_lanes), .boundary_i(boundary), .half_i(half),
+      .tag_i(tag), .sharp_i(sharp),
       .active_o(write_active), .valid_i(numbered_valid), .last_i(last), .candidate_i(candidate),
       .forced_i(forced), .refined_i(numbered_refined), .selected_i(selected), .number_i(number),
       .point_i(point), .origin_i(origin), .children_i(children), .replaced_i(replaced),
       .lower_i(lower), .beyond_selected_i(selected_beyond), .beyond_number_i(number_beyond),
       .lower_wr_en_o, .lower_wr_row_o, .lower_wr_data_o, .upper_wr_en_o, .upper_wr_row_o,
-      .upper_wr_data_o, .birth_o, .sent_o, .birth_vertex_o, .birth_position_o, .op_valid_o,
+      .upper_wr_data_o, .birth_o, .sent_o, .birth_vertex_o, .birth_position_o,
+      .birth_sharpness_o, .op_valid_o,
       .op_ready_i, .op_kind_o, .op_number_o, .op_position_o, .op_mask_o, .op_triangle_o,
       .op_child_o, .op_candidate_o, .op_vertex_o, .op_sides_o, .op_first_o, .op_last_o,
       .item_out_o, .conflict_o(conflict_o[2])

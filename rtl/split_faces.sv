@@ -9,6 +9,8 @@
 //                                                  triangle         numbered
 //                                                  (v, w, F)
 //
+//   * In the last step a boundary edge leaves its half-quad (w, F, v) as a triangle; a half-quad that
+//     is not refined is a triangle too.
 //   * An item is at most one VERTEX op and one FACES or CORNER op, in this order. A FACES op has a
 //     slot for each edge.
 //   * The new vertex is sent before its face's first triangle, but in the last step, when smooth
@@ -37,6 +39,9 @@ module split_faces #(
     input  logic            candidate_i,
     input  logic            refined_i,
     input  logic            selected_i,
+    input  logic [     3:0] lanes_i,            // edges that there are
+    input  logic [     3:0] boundary_i,
+    input  logic            half_i,
     input  logic [  VW-1:0] number_i,           // of the new vertex, F
     input  logic [   127:0] point_i,
     input  logic [4*VW-1:0] origin_i,           // of each edge: v
@@ -63,12 +68,11 @@ module split_faces #(
 );
 
   // --- What there is to send ---------------------------------------------------------------------
-  logic [3:0] lanes, kept, leaving;  // edges that yield a triangle; or, in the last step, a quad
+  logic [3:0] kept, leaving;  // edges that yield a triangle; or, in the last step, a quad
   logic vertex_needed, face_needed;
   logic vertex_sent_q;  // generation 0: with an earlier corner
 
-  assign lanes = quads_i ? 4'b1111 : 4'b0001;
-  assign kept = refined_i ? lanes & ~replaced_i : 4'b0000;
+  assign kept = refined_i ? lanes_i & ~replaced_i & ~boundary_i : 4'b0000;
   assign leaving = refined_i && last_step_i ? replaced_i & lower_i : 4'b0000;
   assign vertex_needed = kept != 4'b0000 && !last_step_i && (first_i || !vertex_sent_q);
   assign face_needed = !refined_i || (kept | leaving) != 4'b0000;
@@ -100,10 +104,11 @@ module split_faces #(
   assign op_number_o = refined_i ? 24'(number_i) : 24'(origin_i[0+:VW]);
   assign op_position_o = point_i;
   assign op_mask_o = refined_i ? kept | leaving : 4'b0001;
-  assign op_triangle_o = refined_i ? kept : 4'b0000;
+  assign op_triangle_o = refined_i ? kept | (leaving & boundary_i) : {3'b000, half_i};
   assign op_child_o = leaving;
   assign op_candidate_o =
-      refined_i ? leaving & beyond_selected_i & {4{selected_i}} : {3'b000, candidate_i};
+      refined_i ? leaving & (beyond_selected_i | boundary_i) & {4{selected_i}}
+                : {3'b000, candidate_i};
   assign op_sides_o = sides_i;
   assign op_first_o = first_i;
   assign op_last_o = last_i;

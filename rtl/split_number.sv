@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // split_number: the part of split that numbers the children. It finds the edges that are replaced,
-// those between two refined faces, and for each of their half-edges h the half-edge of the next
-// generation at which its children c0(h), c1(h) begin:
+// those between two refined faces and, in an odd step, those on the boundary, and for each of their
+// half-edges h the half-edge of the next generation at which its children c0(h), c1(h) begin:
 //
-//   4 quad + 0   if h is the lower half-edge of its edge: the quad is numbered here;
+//   4 quad + 0   if h is the lower or only half-edge of its edge: the quad is numbered here;
 //   4 quad + 2   if it is the upper one: the quad was numbered with the item of twin(h).
 //
 //   items --> replaced, lower --> count --> FIFO --> gather --> items with their children
@@ -34,6 +34,7 @@ module split_number #(
     // from the sequencer
     input  logic          start_i,
     input  logic          quads_i,
+    input  logic          odd_i,
     input  logic          all_i,
     input  logic          last_step_i,
     input  logic [VW-1:0] first_new_i,  // all_i: the new vertex of face 0
@@ -45,6 +46,8 @@ module split_number #(
     output logic                stall_o,
     input  logic [      QW-1:0] item_i,
     input  logic                refined_i,
+    input  logic [         3:0] lanes_i,    // in use
+    input  logic [         3:0] boundary_i,
     input  logic [         3:0] border_i,
     input  logic [4*(QW+2)-1:0] twin_i,
     input  logic [4*(VW+2)-1:0] verdict_i,  // {refined, selected, number} of the faces beyond
@@ -87,8 +90,9 @@ module split_number #(
       own = quads_i ? {item_i, 2'(i)} : {2'b00, item_i};
       {beyond_refined, beyond_selected[i], beyond_number[i*VW+:VW]} = all_i ?
           {2'b11, first_new_i + VW'(twin[HW-1:2])} : verdict_i[i*(VW+2)+:VW+2];
-      replaced[i] = refined_i && !border_i[i] && (quads_i || i == 0) && beyond_refined;
-      lower[i] = replaced[i] && own < twin;
+      replaced[i] = refined_i && lanes_i[i] &&
+          (boundary_i[i] ? odd_i : !border_i[i] && beyond_refined);
+      lower[i] = replaced[i] && (boundary_i[i] || own < twin);
     end
     lower_count = 3'(lower[0]) + 3'(lower[1]) + 3'(lower[2]) + 3'(lower[3]);
   end

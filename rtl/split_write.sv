@@ -10,8 +10,7 @@
 //   * In: an item with valid_i, as split_number tells it; fold's MARGIN is how many may still come
 //     when stall_o goes high. children_i: per edge that is replaced, the half-edge of the next step
 //     at which its children begin: 4 quad + 0 for the lower half-edge, + 2 for the upper.
-//   * A half is {selected, forced, border of c1, border of c0, twin of c1, twin of c0, origin of
-//     c1, origin of c0}. The twin of c0(h) is c1(next(h)), that of c1(h) is c0(prev(h)): so next
+//   * What a half is stands in record_memory. The twin of c0(h) is c1(next(h)), that of c1(h) is c0(prev(h)): so next
 //     and prev must be known, which in generation 0 takes the whole face: its items are folded.
 //   * An item is done when its halves are written and split_faces has sent what is final of it.
 
@@ -25,6 +24,7 @@ module split_write #(
 
     input  logic start_i,
     input  logic quads_i,
+    input  logic odd_i,
     input  logic last_step_i,
     input  logic all_i,
     output logic stall_o,
@@ -37,6 +37,11 @@ module split_write #(
     input logic [         7:0] forced_i,
     input logic                refined_i,
     input logic                selected_i,
+    input logic [         3:0] lanes_i,
+    input logic [         3:0] boundary_i,
+    input logic                half_i,      // a half-quad: lane 2 is its boundary edge, 3 is void
+    input logic [         3:0] tag_i,       // of a quad of an odd generation
+    input logic [        15:0] sharp_i,     // of the lanes, in even generations
     input logic [      VW-1:0] number_i,
     input logic [       127:0] point_i,
     input logic [    4*VW-1:0] origin_i,
@@ -49,16 +54,17 @@ module split_write #(
     // next generation's records
     output logic [                 (1<<BANK_BITS)-1:0] lower_wr_en_o,
     output logic [   (QW-BANK_BITS)*(1<<BANK_BITS)-1:0] lower_wr_row_o,
-    output logic [(2*VW+2*QW+15)*(1<<BANK_BITS)-1:0] lower_wr_data_o,
+    output logic [(2*VW+2*QW+23)*(1<<BANK_BITS)-1:0] lower_wr_data_o,
     output logic [                 (1<<BANK_BITS)-1:0] upper_wr_en_o,
     output logic [   (QW-BANK_BITS)*(1<<BANK_BITS)-1:0] upper_wr_row_o,
-    output logic [(2*VW+2*QW+15)*(1<<BANK_BITS)-1:0] upper_wr_data_o,
+    output logic [(2*VW+2*QW+23)*(1<<BANK_BITS)-1:0] upper_wr_data_o,
 
     // new vertices: born here if all_i, else just marked as sent
     output logic          birth_o,
     output logic          sent_o,
     output logic [VW-1:0] birth_vertex_o,
     output logic [ 127:0] birth_position_o,
+    output logic [   3:0] birth_sharpness_o,
 
     // to emit
     output logic         op_valid_o,
@@ -80,10 +86,11 @@ module split_write #(
 );
 
   localparam int unsigned HW = QW + 2;
-  localparam int unsigned HALF = 2 * VW + 2 * HW + 11;
+  localparam int unsigned HALF = 2 * VW + 2 * HW + 19;
 
   // --- Fold: in generation 0 the first corner needs the last one's children ----------------------
-  localparam int unsigned ITEM = 4 * VW + 4 + 4 + 4 + 4 * HW + 4 * VW + 128 + VW + 1 + 1 + 8 + 1;
+  localparam int unsigned ITEM = 16 + 4 + 1 + 4 + 4 + 4 * VW + 4 + 4 + 4 + 4 * HW + 4 * VW + 128 +
+      VW + 1 + 1 + 8 + 1;
   localparam int unsigned RESULT = 8 + 1 + HW;  // {sides, last edge replaced, its children}
 
   logic fold_valid, fold_ready, fold_last, fold_active;
@@ -106,7 +113,7 @@ module split_write #(
       .item_valid_i(valid_i),
       .item_last_i(last_i),
       .item_i({
-        beyond_number_i, beyond_selected_i, lower_i, replaced_i, children_i, origin_i, point_i,
+        sharp_i, tag_i, half_i, lanes_i, boundary_i, beyond_number_i, beyond_selected_i, lower_i, replaced_i, children_i, origin_i, point_i,
         number_i, selected_i, refined_i, forced_i, candidate_i
       }),
       .result_valid_i(valid_i && last_i),
@@ -136,9 +143,11 @@ module split_write #(
   logic [127:0] point;
   logic [4*VW-1:0] origin, beyond_number;
   logic [4*HW-1:0] children;
-  logic [3:0] replaced, lower, beyond_selected;
+  logic [3:0] replaced, lower, beyond_selected, lanes, boundary, tag;
+  logic [15:0] sharp;
+  logic half;
 
-  assign {beyond_number, beyond_selected, lower, replaced, children, origin, point, number,
+  assign {sharp, tag, half, lanes, boundary, beyond_number, beyond_selected, lower, replaced, children, origin, point, number,
           selected, refined, forced, candidate} = item_q;
 
   // Origin, children and replaced of the corner that the fold shows.
@@ -191,7 +200,7 @@ module split_write #(
   end
 
   // --- Child halves ------------------------------------------------------------------------------
-  logic [4*HALF-1:0] half;
+  logic [4*HALF-1:0] lower_half, upper_half;
   logic [4*QW-1:0] quad;
   logic [3:0] lower_mask, upper_mask;
   logic lower_ready, upper_ready, lower_done_q, upper_done_q, lower_active, upper_active;
@@ -199,22 +208,36 @@ module split_write #(
 
   always_comb begin
     for (int i = 0; i < 4; i++) begin
-      half[i*HALF+:HALF] = {
+      logic next_ends, prev_ends;  // c0 or c1 is what remains of a half-quad's boundary edge
+      next_ends = half && i == 1;
+      prev_ends = half && i == 0;
+      lower_half[i*HALF+:HALF] = {
         selected,
         forced,
-        !prev_replaced[i],
-        !next_replaced[i],
+        1'b0,
+        !odd_i && i % 2 == 0,  // of the children of an even step, c1 of slots 0 and 2, c0 of the
+        !odd_i ? tag : boundary[i] ? 4'd15 : sharp[i*4+:4],  // others lie on the old edge
+        prev_ends,
+        next_ends,
+        !prev_ends && !prev_replaced[i],
+        !next_ends && !next_replaced[i],
         prev_children[i*HW+:HW],
         next_children[i*HW+1+:HW-1],
         1'b1,  // c1 follows c0, which is at an even place
         number,
         next_origin[i*VW+:VW]
       };
+      upper_half[i*HALF+:HALF] = lower_half[i*HALF+:HALF];
+      if (boundary[i])
+        upper_half[i*HALF+:HALF] = {
+          selected, forced, 1'b1, 1'b0, 4'd0, 2'b01, 2'b00, {2 * HW{1'b0}}, VW'(0),
+          origin[i*VW+:VW]
+        };
       quad[i*QW+:QW] = children[i*HW+2+:QW];
     end
   end
   assign lower_mask = last_step_i ? 4'b0000 : replaced & lower;
-  assign upper_mask = last_step_i ? 4'b0000 : replaced & ~lower;
+  assign upper_mask = last_step_i ? 4'b0000 : replaced & (~lower | boundary);
 
   scatter #(
       .WIDTH(HALF),
@@ -227,7 +250,7 @@ module split_write #(
       .in_ready_o(lower_ready),
       .in_mask_i(lower_mask),
       .in_index_i(quad),
-      .in_data_i(half),
+      .in_data_i(lower_half),
       .en_o(lower_wr_en_o),
       .row_o(lower_wr_row_o),
       .data_o(lower_wr_data_o),
@@ -246,7 +269,7 @@ module split_write #(
       .in_ready_o(upper_ready),
       .in_mask_i(upper_mask),
       .in_index_i(quad),
-      .in_data_i(half),
+      .in_data_i(upper_half),
       .en_o(upper_wr_en_o),
       .row_o(upper_wr_row_o),
       .data_o(upper_wr_data_o),
@@ -264,7 +287,8 @@ module split_write #(
       .clk_i, .quads_i, .last_step_i, .valid_i(valid_q && known), .done_i(done),
       .over_o(faces_over), .sent_o, .first_i(first_q), .last_i(last_q), .sides_i(sides_q),
       .candidate_i(candidate), .refined_i(refined), .selected_i(selected), .number_i(number),
-      .point_i(point), .origin_i(origin), .next_origin_i(next_origin), .replaced_i(replaced),
+      .lanes_i(lanes), .boundary_i(boundary), .half_i(half), .point_i(point),
+      .origin_i(origin), .next_origin_i(next_origin), .replaced_i(replaced),
       .lower_i(lower), .beyond_selected_i(beyond_selected), .beyond_number_i(beyond_number),
       .op_valid_o, .op_ready_i, .op_kind_o, .op_number_o, .op_position_o, .op_mask_o,
       .op_triangle_o, .op_child_o, .op_candidate_o, .op_vertex_o, .op_sides_o, .op_first_o,
@@ -282,6 +306,7 @@ module split_write #(
   assign birth_o = done && all_i && refined && !last_step_i;
   assign birth_vertex_o = number;
   assign birth_position_o = point;
+  assign birth_sharpness_o = odd_i ? 4'd0 : tag;
 
   always_ff @(posedge clk_i) begin
     if (done || !valid_q || !known) begin
