@@ -82,12 +82,13 @@ module halfstep #(
   logic [3*STAGES-1:0] items_in, items_out;
 
   // --- The view, from receive and quantize -------------------------------------------------------
-  logic uniform, guarded, closed;
+  logic uniform, guarded, closed, limit, kept, corners_stay;
+  logic [15:0] min_edge, width, height;
   logic [7:0] front_depth, silhouette_depth, uniform_depth, forced_max, receive_status;
   logic [31:0] receive_position;
   logic [15:0] view;
   logic [VW:0] vertices_in;
-  logic [QW:0] faces_in, halfedges_in;
+  logic [QW:0] faces_in, halfedges_in, boundary_in;
   logic [511:0] matrix;
   logic signed [9:0] exponent;
 
@@ -139,7 +140,8 @@ module halfstep #(
   logic kick_quantize, quantize_done, quantize_in, quantize_out, quantize_rd, quantize_wr;
   logic [VW-1:0] quantize_rd_index, quantize_wr_index;
   logic [127:0] quantize_wr_data, single_position;
-  logic corner_valid, corner_border, corner_first, corner_last;
+  logic corner_valid, corner_border, corner_boundary, corner_first, corner_last;
+  logic [3:0] corner_sharpness, corner_own;
   logic [QW-1:0] corner_index, corner_twin;
   logic [VW-1:0] corner_origin;
   logic [7:0] corner_forced;
@@ -155,7 +157,10 @@ module halfstep #(
       .uniform_o(uniform), .guard_o(guarded), .front_depth_o(front_depth),
       .silhouette_depth_o(silhouette_depth), .uniform_depth_o(uniform_depth),
       .vertices_o(vertices_in), .faces_o(faces_in), .halfedges_o(halfedges_in), .matrix_o(matrix),
-      .forced_max_o(forced_max), .closed_o(closed), .vertex_valid_o(raw_valid),
+      .limit_o(limit), .kept_o(kept), .corners_stay_o(corners_stay), .min_edge_o(min_edge),
+      .width_o(width), .height_o(height), .boundary_count_o(boundary_in),
+      .corner_boundary_o(corner_boundary), .corner_sharpness_o(corner_sharpness),
+      .corner_own_o(corner_own), .forced_max_o(forced_max), .closed_o(closed), .vertex_valid_o(raw_valid),
       .vertex_index_o(raw_index), .vertex_record_o(raw), .transform_busy_i(transform_busy),
       .overflow_i(overflow), .overflow_index_i(clip_index), .overflow_row_i(overflow_row),
       .corner_valid_o(corner_valid), .corner_index_o(corner_index),
@@ -196,7 +201,7 @@ module halfstep #(
   // --- The generations ---------------------------------------------------------------------------
   logic kick_classify, kick_check, kick_select, kick_guard, kick_smooth, kick_split;
   logic classify_active, check_active, select_active, guard_active, smooth_active;
-  logic split_active, check_error, valence_error, send_valid, send_ready, split_op;
+  logic split_active, check_error, check_sharpness, send_at_level, valence_error, send_valid, send_ready, split_op;
   logic split_ready, split_first, split_last;
   logic [QW-1:0] check_corner, valence_corner;
   logic [QW:0] selected_count, refined_count, children;
@@ -216,8 +221,12 @@ module halfstep #(
       .clk_i, .rst_i, .generation_i(generation), .odd_i(odd), .quads_i(quads), .side_i(side),
       .all_i(all), .last_step_i(last_step), .finish_i(finish), .items_i(items),
       .vertices_i(vertices), .new_vertices_i(new_vertices), .uniform_i(uniform),
-      .guarded_i(guarded), .front_depth_i(front_depth), .silhouette_depth_i(silhouette_depth),
-      .kick_classify_i(kick_classify), .kick_check_i(kick_check), .kick_select_i(kick_select),
+      .guarded_i(guarded), .limit_i(limit), .corners_stay_i(corners_stay),
+      .front_depth_i(front_depth), .silhouette_depth_i(silhouette_depth), .min_edge_i(min_edge),
+      .width_i(width), .height_i(height), .check_sharpness_o(check_sharpness),
+      .raw_valid_i(raw_valid), .raw_index_i(raw_index), .corner_boundary_i(corner_boundary),
+      .corner_sharpness_i(corner_sharpness), .corner_own_i(corner_own),
+      .send_at_level_o(send_at_level), .kick_classify_i(kick_classify), .kick_check_i(kick_check), .kick_select_i(kick_select),
       .kick_guard_i(kick_guard), .kick_smooth_i(kick_smooth), .kick_split_i(kick_split),
       .classify_active_o(classify_active), .check_active_o(check_active),
       .select_active_o(select_active), .guard_active_o(guard_active),
@@ -260,7 +269,8 @@ module halfstep #(
       .clk_i, .rst_i, .op_valid_i(op_valid), .op_ready_o(op_ready), .op_kind_i(op_kind),
       .op_generation_i(control_op ? control_generation : generation),
       .op_number_i(send_valid ? 24'(send_vertex) : split_number),
-      .op_position_i(send_valid ? send_position : split_op_position), .op_mask_i(split_mask),
+      .op_position_i(send_valid ? send_position : split_op_position),
+      .op_at_level_i(send_valid ? send_at_level : limit), .op_mask_i(split_mask),
       .op_triangle_i(split_triangle), .op_child_i(split_child), .op_candidate_i(split_candidate),
       .op_vertex_i(split_op_vertex), .op_sides_i(split_sides), .op_first_i(split_first),
       .op_last_i(split_last), .view_i(view), .exponent_i(refused ? 10'sd0 : exponent),
@@ -283,7 +293,8 @@ module halfstep #(
       .receive_status_i(receive_status), .receive_position_i(receive_position), .uniform_i(uniform),
       .front_depth_i(front_depth), .silhouette_depth_i(silhouette_depth),
       .uniform_depth_i(uniform_depth), .forced_max_i(forced_max), .closed_i(closed),
-      .vertices_i(vertices_in), .faces_i(faces_in), .halfedges_i(halfedges_in),
+      .limit_i(limit), .kept_i(kept), .boundary_i(boundary_in),
+      .check_sharpness_i(check_sharpness), .vertices_i(vertices_in), .faces_i(faces_in), .halfedges_i(halfedges_in),
       .kick_check_o(kick_check), .kick_classify_o(kick_classify),
       .classify_active_i(classify_active), .check_active_i(check_active),
       .check_error_i(check_error), .check_corner_i(check_corner), .valence_error_i(valence_error),

@@ -31,8 +31,9 @@ module refine #(
     input  logic [VW:0] vertices_i, new_vertices_i,
 
     // the view's settings, from receive
-    input  logic uniform_i, guarded_i,
+    input  logic uniform_i, guarded_i, limit_i, corners_stay_i,
     input  logic [7:0] front_depth_i, silhouette_depth_i,
+    input  logic [15:0] min_edge_i, width_i, height_i,
 
     // starts, from the sequencer, and what it learns
     input  logic kick_classify_i, kick_check_i, kick_select_i, kick_guard_i,
@@ -40,6 +41,7 @@ module refine #(
     output logic classify_active_o, check_active_o, select_active_o,
     output logic guard_active_o, smooth_active_o, split_active_o, check_error_o,
     output logic [QW-1:0] check_corner_o,
+    output logic check_sharpness_o,
     output logic valence_error_o,
     output logic [QW-1:0] valence_corner_o,
     output logic [QW:0] selected_count_o, refined_count_o,
@@ -57,12 +59,15 @@ module refine #(
     input  logic [VW-1:0] quantize_wr_index_i,
     input  logic [127:0] quantize_wr_data_i,
 
-    // corners, from receive
+    // vertices and corners, from receive
+    input  logic raw_valid_i,
+    input  logic [VW-1:0] raw_index_i,
     input  logic corner_valid_i,
     input  logic [QW-1:0] corner_index_i,
     input  logic [VW-1:0] corner_origin_i,
     input  logic [QW-1:0] corner_twin_i,
-    input  logic corner_border_i,
+    input  logic corner_border_i, corner_boundary_i,
+    input  logic [3:0] corner_sharpness_i, corner_own_i,
     input  logic [7:0] corner_forced_i,
     input  logic corner_first_i, corner_last_i,
 
@@ -71,6 +76,7 @@ module refine #(
     input  logic send_ready_i,
     output logic [VW-1:0] send_vertex_o,
     output logic [127:0] send_position_o,
+    output logic send_at_level_o,
 
     // faces to emit, and their new vertices, from split
     output logic split_op_o,
@@ -92,14 +98,17 @@ module refine #(
   localparam int unsigned BANKS = 1 << BANK_BITS;
   localparam int unsigned VR = VW - BANK_BITS;
   localparam int unsigned QR = QW - BANK_BITS;
-  localparam int unsigned HALF = 2 * VW + 2 * HW + 11;
+  localparam int unsigned HALF = 2 * VW + 2 * HW + 19;
 
   // --- Vertex memory: quantize, guard and split give birth to vertices, one after the other ------
   logic [BANKS-1:0] gather_rd_en, classify_mark_rd_en, select_mark_rd_en, mark_wr_en;
   logic [BANKS-1:0] sum_rd_en, sum_wr_en, chosen_wr_en, chosen_rd_en, held_wr_en, chosen, held;
   logic [VR*BANKS-1:0] gather_rd_row, classify_mark_rd_row, select_mark_rd_row, mark_wr_row;
   logic [VR*BANKS-1:0] sum_rd_row, sum_wr_row, chosen_wr_row, chosen_rd_row, held_wr_row;
-  logic [256*BANKS-1:0] gathered;
+  logic [274*BANKS-1:0] gathered;
+  logic [BANKS-1:0] ring_rd_en, ring_wr_en;
+  logic [VR*BANKS-1:0] ring_rd_row, ring_wr_row;
+  logic [177*BANKS-1:0] ring, ring_wr_data;
   logic [13*BANKS-1:0] mark, mark_wr_data;
   logic [168*BANKS-1:0] sum, sum_wr_data;
   logic smooth_row_rd, smooth_rd, smooth_wr, smooth_move, smooth_old, smooth_sent;
@@ -107,6 +116,11 @@ module refine #(
   logic [VW-1:0] smooth_rd_index, smooth_wr_vertex;
   logic [127:0] smooth_position, smooth_before;
   logic [167:0] single_sum;
+  logic [176:0] single_ring;
+  logic [17:0] single_sharp, sharp_rd_data, sharp_wr_data;
+  logic sharp_rd, sharp_wr;
+  logic [VW-1:0] sharp_rd_index, sharp_wr_index;
+  logic [3:0] guard_sharpness, split_sharpness;
   logic guard_birth, split_birth, split_sent;
   logic [VW-1:0] guard_vertex, split_vertex, birth_vertex;
   logic [127:0] guard_position, split_position, birth_position;
@@ -132,6 +146,13 @@ module refine #(
       .birth_i(quantize_wr_i || guard_birth || split_birth), .sent_i(split_sent),
       .birth_vertex_i(birth_vertex), .birth_position_i(birth_position),
       .birth_generation_i(quantize_wr_i ? 8'hff : generation_i), .generation_i,
+      .birth_sharp_wr_i(guard_birth || split_birth),
+      .birth_sharpness_i(split_birth ? split_sharpness : guard_sharpness),
+      .sharp_rd_en_i(sharp_rd), .sharp_rd_index_i(sharp_rd_index),
+      .sharp_rd_data_o(sharp_rd_data), .sharp_wr_en_i(sharp_wr), .sharp_wr_index_i(sharp_wr_index),
+      .sharp_wr_data_i(sharp_wr_data), .ring_rd_en_i(ring_rd_en), .ring_rd_row_i(ring_rd_row),
+      .ring_rd_data_o(ring), .ring_wr_en_i(ring_wr_en), .ring_wr_row_i(ring_wr_row),
+      .ring_wr_data_i(ring_wr_data), .single_ring_o(single_ring), .single_sharp_o(single_sharp),
       .gather_rd_en_i(gather_rd_en), .gather_rd_row_i(gather_rd_row), .gather_old_i(!odd_i),
       .gather_rd_data_o(gathered), .mark_rd_en_i(classify_mark_rd_en | select_mark_rd_en),
       .mark_rd_row_i(classify_mark_rd_row | select_mark_rd_row), .mark_rd_data_o(mark),
@@ -148,14 +169,15 @@ module refine #(
   );
 
   // --- Record and face memories: the stages read them in turn ------------------------------------
-  logic classify_rd, select_rd, guard_rd, split_rd, candidate, record_last;
+  logic classify_rd, select_rd, guard_rd, split_rd, candidate, record_last, half;
   logic [QW-1:0] classify_item, select_item, guard_item, split_item;
   logic [QW-1:0] select_face, guard_face, split_face, record_item, face_item;
   logic smooth_face_rd;
   logic [VW-1:0] smooth_face;
   logic [4*VW-1:0] origin;
   logic [4*HW-1:0] twin;
-  logic [3:0] border;
+  logic [3:0] border, boundary, tag, a_sharpness, b_sharpness;
+  logic [15:0] sharp;
   logic [7:0] forced;
   logic check_a_rd, check_b_rd, a_border, a_first, a_last, b_border;
   logic [QW-1:0] check_a_index, check_b_index, a_twin, b_twin;
@@ -183,18 +205,19 @@ module refine #(
       .VW(VW), .QW(QW), .BANK_BITS(BANK_BITS)
   ) u_records (
       .clk_i, .side_i, .quads_i, .corner_valid_i, .corner_index_i, .corner_origin_i, .corner_twin_i,
-      .corner_border_i, .corner_forced_i, .corner_first_i, .corner_last_i,
-      .rd_en_i(classify_rd || select_rd || guard_rd || split_rd), .rd_item_i(record_item),
-      .origin_o(origin), .twin_o(twin), .border_o(border), .candidate_o(candidate),
+      .corner_border_i, .corner_boundary_i, .corner_sharpness_i, .corner_forced_i, .corner_first_i,
+      .corner_last_i, .rd_en_i(classify_rd || select_rd || guard_rd || split_rd), .rd_item_i(record_item),
+      .origin_o(origin), .twin_o(twin), .border_o(border), .boundary_o(boundary), .sharp_o(sharp),
+      .tag_o(tag), .half_o(half), .candidate_o(candidate),
       .forced_o(forced), .last_o(record_last), .a_rd_en_i(check_a_rd), .a_rd_index_i(check_a_index),
-      .a_origin_o(a_origin), .a_twin_o(a_twin), .a_border_o(a_border), .a_first_o(a_first),
+      .a_origin_o(a_origin), .a_twin_o(a_twin), .a_border_o(a_border), .a_sharpness_o(a_sharpness), .a_first_o(a_first),
       .a_last_o(a_last), .b_rd_en_i(check_b_rd), .b_rd_index_i(check_b_index),
-      .b_origin_o(b_origin), .b_twin_o(b_twin), .b_border_o(b_border), .lower_wr_en_i(lower_wr_en),
+      .b_origin_o(b_origin), .b_twin_o(b_twin), .b_border_o(b_border), .b_sharpness_o(b_sharpness), .lower_wr_en_i(lower_wr_en),
       .lower_wr_row_i(lower_wr_row), .lower_wr_data_i(lower_wr_data), .upper_wr_en_i(upper_wr_en),
       .upper_wr_row_i(upper_wr_row), .upper_wr_data_i(upper_wr_data)
   );
 
-  logic point_valid, point_front, front, selected_valid, selected_verdict, selected;
+  logic point_valid, point_front, point_stop, front, stop, selected_valid, selected_verdict, selected;
   logic [QW-1:0] point_face, selected_face;
   logic [127:0] point_wr_data, point;
   logic verdict_valid, number_wr;
@@ -210,16 +233,26 @@ module refine #(
       .VW(VW), .QW(QW), .BANK_BITS(BANK_BITS)
   ) u_faces (
       .clk_i, .point_wr_en_i(point_valid), .point_wr_face_i(point_face),
-      .point_wr_data_i(point_wr_data), .point_wr_front_i(point_front),
+      .point_wr_data_i(point_wr_data), .point_wr_front_i(point_front), .point_wr_stop_i(point_stop),
       .selected_wr_en_i(selected_valid), .selected_wr_face_i(selected_face),
       .selected_wr_data_i(selected_verdict),
       .face_rd_en_i(select_rd || guard_rd || split_rd || smooth_face_rd), .face_rd_i(face_item),
-      .point_o(point), .front_o(front), .selected_o(selected), .verdict_wr_en_i(verdict_valid),
+      .point_o(point), .front_o(front), .stop_o(stop), .selected_o(selected), .verdict_wr_en_i(verdict_valid),
       .verdict_wr_item_i(verdict_item), .verdict_wr_data_i(verdict_wr_data), .own_rd_en_i(split_rd),
       .own_rd_item_i(split_item), .own_o(own_verdict), .verdict_rd_en_i(verdict_rd_en),
       .verdict_rd_row_i(verdict_rd_row), .verdict_rd_data_o(verdicts), .number_wr_en_i(number_wr),
       .number_wr_item_i(number_wr_item), .number_wr_data_i(number_wr_data),
       .number_rd_en_i(number_rd_en), .number_rd_row_i(number_rd_row), .number_rd_data_o(numbers)
+  );
+
+  // --- While a view comes in: how sharp its vertices are -----------------------------------------
+  sharpness #(
+      .VW(VW)
+  ) u_sharpness (
+      .clk_i, .rst_i, .vertex_valid_i(raw_valid_i), .vertex_index_i(raw_index_i), .corner_valid_i,
+      .corner_origin_i, .corner_boundary_i, .corner_sharpness_i, .corner_own_i,
+      .rd_en_o(sharp_rd), .rd_index_o(sharp_rd_index), .rd_data_i(sharp_rd_data),
+      .wr_en_o(sharp_wr), .wr_index_o(sharp_wr_index), .wr_data_o(sharp_wr_data)
   );
 
   // --- classify; in generation 0 check_twins beside it -------------------------------------------
@@ -229,6 +262,11 @@ module refine #(
       .VW(VW), .QW(QW), .BANK_BITS(BANK_BITS)
   ) u_classify (
       .clk_i, .rst_i, .start_i(kick_classify_i), .items_i, .quads_i, .odd_i, .generation_i,
+      .limit_i, .corners_stay_i, .min_edge_i, .width_i, .height_i, .record_half_i(half),
+      .record_boundary_i(boundary), .record_sharp_i(sharp), .record_tag_i(tag),
+      .stop_o(point_stop), .ring_rd_en_o(ring_rd_en), .ring_rd_row_o(ring_rd_row),
+      .ring_rd_data_i(ring), .ring_wr_en_o(ring_wr_en), .ring_wr_row_o(ring_wr_row),
+      .ring_wr_data_o(ring_wr_data),
       .active_o(classify_active_o), .record_rd_en_o(classify_rd), .record_rd_item_o(classify_item),
       .record_origin_i(origin), .record_border_i(border), .record_last_i(record_last),
       .position_rd_en_o(gather_rd_en), .position_rd_row_o(gather_rd_row),
@@ -246,7 +284,8 @@ module refine #(
       .VW(VW), .QW(QW)
   ) u_check_twins (
       .clk_i, .rst_i, .start_i(kick_check_i), .corners_i(items_i), .active_o(check_active_o),
-      .error_o(check_error_o), .corner_o(check_corner_o), .a_rd_en_o(check_a_rd),
+      .error_o(check_error_o), .corner_o(check_corner_o), .sharpness_error_o(check_sharpness_o),
+      .a_sharpness_i(a_sharpness), .b_sharpness_i(b_sharpness), .a_rd_en_o(check_a_rd),
       .a_rd_index_o(check_a_index), .a_origin_i(a_origin), .a_twin_i(a_twin), .a_border_i(a_border),
       .a_first_i(a_first), .a_last_i(a_last), .b_rd_en_o(check_b_rd), .b_rd_index_o(check_b_index),
       .b_origin_i(b_origin), .b_twin_i(b_twin), .b_border_i(b_border)
@@ -262,7 +301,8 @@ module refine #(
       .silhouette_depth_i, .active_o(select_active_o), .selected_o(selected_count_o),
       .record_rd_en_o(select_rd), .record_rd_item_o(select_item), .record_rd_face_o(select_face),
       .record_origin_i(origin), .record_candidate_i(candidate), .record_forced_i(forced),
-      .record_last_i(record_last), .face_front_i(front), .mark_rd_en_o(select_mark_rd_en),
+      .record_half_i(half), .record_last_i(record_last), .face_front_i(front), .face_stop_i(stop),
+      .mark_rd_en_o(select_mark_rd_en),
       .mark_rd_row_o(select_mark_rd_row), .mark_rd_data_i(mark), .chosen_wr_en_o(chosen_wr_en),
       .chosen_wr_row_o(chosen_wr_row), .selected_valid_o(selected_valid),
       .selected_face_o(selected_face), .selected_verdict_o(selected_verdict), .busy_o(busy_o[1]),
@@ -273,7 +313,9 @@ module refine #(
   guard #(
       .VW(VW), .QW(QW), .BANK_BITS(BANK_BITS)
   ) u_guard (
-      .clk_i, .rst_i, .start_i(kick_guard_i), .items_i, .quads_i, .guard_i(guarded_i),
+      .clk_i, .rst_i, .start_i(kick_guard_i), .items_i, .quads_i, .odd_i, .guard_i(guarded_i),
+      .record_boundary_i(boundary), .record_tag_i(tag), .record_half_i(half),
+      .new_sharpness_o(guard_sharpness),
       .all_i(uniform_i), .first_new_i(vertices_i), .active_o(guard_active_o),
       .refined_o(refined_count_o), .sides_o(refined_sides_o), .record_rd_en_o(guard_rd),
       .record_rd_item_o(guard_item), .record_rd_face_o(guard_face), .record_origin_i(origin),
@@ -294,6 +336,8 @@ module refine #(
   ) u_smooth (
       .clk_i, .rst_i, .start_i(kick_smooth_i), .count_i(vertices_i), .new_i(new_vertices_i), .odd_i,
       .last_i(last_step_i), .finish_i, .generation_i, .active_o(smooth_active_o),
+      .limit_i, .corners_stay_i, .sharp_rd_data_i(single_sharp), .ring_rd_data_i(single_ring),
+      .send_at_level_o,
       .row_rd_en_o(smooth_row_rd), .row_rd_o(smooth_row), .mark_rd_data_i(mark),
       .held_rd_data_i(held), .vertex_rd_en_o(smooth_rd), .vertex_rd_index_o(smooth_rd_index),
       .position_rd_data_i(single_position_o), .sum_rd_data_i(single_sum), .new_from_face_i(all_i),
@@ -308,7 +352,9 @@ module refine #(
   split #(
       .VW(VW), .QW(QW), .BANK_BITS(BANK_BITS)
   ) u_split (
-      .clk_i, .rst_i, .start_i(kick_split_i), .items_i, .quads_i, .all_i, .last_i(last_step_i),
+      .clk_i, .rst_i, .start_i(kick_split_i), .items_i, .quads_i, .odd_i, .all_i,
+      .last_i(last_step_i), .record_boundary_i(boundary), .record_sharp_i(sharp),
+      .record_tag_i(tag), .record_half_i(half), .birth_sharpness_o(split_sharpness),
       .finish_i, .first_new_i(vertices_i[VW-1:0]), .active_o(split_active_o), .children_o,
       .record_rd_en_o(split_rd), .record_rd_item_o(split_item), .record_rd_face_o(split_face),
       .record_origin_i(origin), .record_twin_i(twin), .record_border_i(border),

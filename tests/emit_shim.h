@@ -16,6 +16,7 @@ extern "C" {
 typedef struct emit_op {
     uint32_t kind, generation, number;
     uint32_t position[4];
+    uint32_t at_level;
     uint32_t mask, triangle, child, candidate;
     uint32_t vertex[16]; /* vertex k of slot s at 4*s+k */
     uint32_t sides, first, last;

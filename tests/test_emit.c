@@ -50,6 +50,7 @@ static void add_noise(emit_op *op, uint32_t *state) {
     op->number = chance(state) & 0xffffff;
     for (int i = 0; i < 4; i++)
         op->position[i] = (uint32_t)((int32_t)chance(state) >> (1 + below(state, 31)));
+    op->at_level = below(state, 2);
     op->mask = below(state, 16);
     op->triangle = below(state, 16);
     op->child = below(state, 16);
@@ -129,7 +130,7 @@ static void random_script(script *s, uint32_t length, uint32_t *state) {
 typedef struct packet {
     size_t words;
     uint32_t word[4 * RECORDS];
-    uint32_t vertices, faces, triangles;
+    uint32_t vertices, at_level, faces, triangles;
 } packet;
 
 static void put(packet *p, uint32_t w0, uint32_t w1, uint32_t w2, uint32_t w3) {
@@ -170,7 +171,7 @@ static uint32_t as_float(uint32_t q, int32_t exponent) {
 
 static void expect_packet(packet *p, const script *s) {
     p->words = 0;
-    p->vertices = p->faces = p->triangles = 0;
+    p->vertices = p->at_level = p->faces = p->triangles = 0;
     for (size_t i = 0; i < s->ops; i++) {
         const emit_op *op = &s->op[i];
         uint32_t number[255], count = 0;
@@ -191,6 +192,7 @@ static void expect_packet(packet *p, const script *s) {
                 if (s->op[i].kind != HS_OP_VERTEX) continue;
                 const uint32_t *q = s->op[i].position;
                 int32_t e = s->view.exponent;
+                p->at_level += s->op[i].at_level;
                 put(p, as_float(q[0], e), as_float(q[1], e), as_float(q[2], e), as_float(q[3], e));
                 k++;
             }
@@ -213,7 +215,7 @@ static void expect_packet(packet *p, const script *s) {
         default:
             put(p, hs_tag(HS_RECORD_TRAILER, s->view.status), s->view.position, p->vertices,
                 p->faces);
-            put(p, hs_tag(HS_RECORD_END, op->generation), p->triangles, 0,
+            put(p, hs_tag(HS_RECORD_END, op->generation), p->triangles, p->at_level,
                 hs_crc(0, p->word, p->words));
         }
     }
