@@ -10,11 +10,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* --- Marks
- * ------------------------------------------------------------------------------------------ */
+/* --- Marks ------------------------------------------------------------------------------------ */
 
-/* What a face is, and what a vertex collects from its active faces. */
-enum { FRONT = 1, BACK = 2, HITS = 4, SILHOUETTE = FRONT | BACK };
+/* What a face is, and but for the last what a vertex collects from its active faces. */
+enum { FRONT = 1, BACK = 2, HITS = 4, SILHOUETTE = FRONT | BACK, SHORT = 8 };
 
 static const double *corner_position(const hs_reference *r, uint32_t f, uint32_t k) {
     const hs_reference_list v = r->face[f].v;
@@ -38,7 +37,27 @@ static unsigned outside(const double *p) {
     return code;
 }
 
-static uint8_t face_marks(const hs_reference *r, uint32_t f) {
+/* True if coordinate i of two vertices is less than the least edge apart, in a picture of that many
+ * pixels, and both are before the eye. */
+static bool is_short(const double *p, const double *q, int i, uint32_t pixels,
+                     const hs_settings *settings) {
+    const double limit = settings->min_edge / (double)HS_PIXEL_FRACTION;
+    return p[3] > 0 && q[3] > 0 &&
+           fabs(p[i] * q[3] - q[i] * p[3]) * pixels / 2 < limit * p[3] * q[3];
+}
+
+/* stop(f): every edge is short both across and up. */
+static bool all_short(const hs_reference *r, uint32_t f, const hs_settings *settings) {
+    if (settings->min_edge == 0) return false;
+    for (uint32_t k = 0; k < r->face[f].v.count; k++) {
+        const double *p = corner_position(r, f, k), *q = corner_position(r, f, k + 1);
+        if (!is_short(p, q, 0, settings->width, settings)) return false;
+        if (!is_short(p, q, 1, settings->height, settings)) return false;
+    }
+    return true;
+}
+
+static uint8_t face_marks(const hs_reference *r, uint32_t f, const hs_settings *settings) {
     unsigned marks = 0, all_outside = 63;
     const uint32_t n = r->face[f].v.count;
     for (uint32_t k = 0; k < n; k++) {
@@ -49,11 +68,11 @@ static uint8_t face_marks(const hs_reference *r, uint32_t f) {
         all_outside &= outside(p);
     }
     if (!all_outside) marks |= HITS;
+    if (all_short(r, f, settings)) marks |= SHORT;
     return (uint8_t)marks;
 }
 
-/* --- Selection
- * -------------------------------------------------------------------------------------- */
+/* --- Selection -------------------------------------------------------------------------------- */
 
 static bool is_wanted(const hs_reference *r, uint32_t f, const hs_settings *settings,
                       unsigned face_mark, const uint8_t *vertex_mark) {
@@ -65,8 +84,9 @@ static bool is_wanted(const hs_reference *r, uint32_t f, const hs_settings *sett
         silhouette |= (mark & SILHOUETTE) == SILHOUETTE;
     }
     const bool front = (face_mark & FRONT) != 0;
-    return in_view && ((front && r->generation < settings->front_depth) ||
-                       (silhouette && r->generation < settings->silhouette_depth));
+    return in_view && !(face_mark & SHORT) &&
+           ((front && r->generation < settings->front_depth) ||
+            (silhouette && r->generation < settings->silhouette_depth));
 }
 
 static bool is_selected(const hs_reference *r, uint32_t f, const hs_settings *settings,
@@ -99,7 +119,7 @@ bool hs_reference_decide(const hs_reference *r, const hs_settings *settings, uin
     if (ok) {
         for (uint32_t f = 0; f < r->faces; f++) {
             const hs_reference_list v = r->face[f].v;
-            face_mark[f] = face_marks(r, f);
+            face_mark[f] = face_marks(r, f, settings);
             for (uint32_t k = 0; k < v.count; k++)
                 vertex_mark[r->face_vertex[v.first + k]] |= face_mark[f];
         }
@@ -114,8 +134,7 @@ bool hs_reference_decide(const hs_reference *r, const hs_settings *settings, uin
                          "reference: out of memory; refine less deeply or use a smaller mesh");
 }
 
-/* --- Replay
- * ----------------------------------------------------------------------------------------- */
+/* --- Replay ----------------------------------------------------------------------------------- */
 
 static bool count_differences(const hs_reference *r, const hs_settings *settings,
                               const uint8_t *replayed, hs_reference_decisions *decisions,
@@ -153,15 +172,15 @@ static bool check_active(uint32_t g, uint32_t here, uint32_t golden, hs_error *e
                    g, here, golden);
 }
 
-/* The step to generation D; its quads are the active faces of golden's last generation. */
+/* The step to generation D; its children are the active faces of golden's last generation. */
 static bool replay_last(hs_reference *r, const hs_golden_report *report, hs_error *err) {
     const uint32_t g = r->generation, before = r->finals;
     if (!hs_reference_last_step(r, report->decision[g], err)) return false;
-    uint32_t quads = 0;
+    uint32_t children = 0;
     for (uint32_t f = before; f < r->finals; f++)
-        quads += r->final[f].generation == g + 1;
+        children += r->final[f].generation == g + 1;
     const uint32_t golden = g + 1 < report->generations ? report->generation[g + 1].active : 0;
-    return check_active(g + 1, quads, golden, err);
+    return check_active(g + 1, children, golden, err);
 }
 
 bool hs_reference_replay(hs_reference *r, const hs_settings *settings,
@@ -169,6 +188,7 @@ bool hs_reference_replay(hs_reference *r, const hs_settings *settings,
                          hs_error *err) {
     const uint32_t depth = final_depth(r, settings);
     if (decisions) *decisions = (hs_reference_decisions){0};
+    r->limit = settings->limit;
     for (uint32_t g = 0; g < report->generations; g++) {
         const hs_generation *golden = &report->generation[g];
         if (!check_active(g, r->faces, golden->active, err)) return false;
@@ -179,21 +199,22 @@ bool hs_reference_replay(hs_reference *r, const hs_settings *settings,
             !count_differences(r, settings, report->decision[g], decisions, err))
             return false;
         if (stopped || golden->refined == 0) break;
-        if (g + 1 == depth) return replay_last(r, report, err);
+        /* With limit positions, generation D is entered: its vertices need their rings. */
+        if (g + 1 == depth && !settings->limit) return replay_last(r, report, err);
         if (!hs_reference_step(r, report->decision[g], err)) return false;
     }
     return hs_reference_finish(r, err);
 }
 
-/* --- Comparison
- * ------------------------------------------------------------------------------------- */
+/* --- Comparison ------------------------------------------------------------------------------- */
 
 double hs_reference_bound(const hs_reference *r, uint32_t generations, int32_t exponent) {
     const double unit = ldexp(1, exponent - 30), rounding = 3 * 0x1p-24;
     const double transform =
         r->input_sum > 0 ? rounding / (1 - rounding) * r->input_sum + 7 * 0x1p-150 : 0;
     const double odd_steps = (generations + 1) / 2;
-    return (0.5 + 0.751 * odd_steps + 32) * unit + transform + 0x1p-150;
+    const double limit = r->limit ? 0.501 : 0;
+    return (0.5 + 0.751 * odd_steps + limit + 32) * unit + transform + 0x1p-150;
 }
 
 static void note(hs_reference_comparison *c, const char *what, uint32_t number, uint32_t here,
@@ -293,6 +314,11 @@ static void compare_position(const double *p, const float *q, uint32_t number,
     }
 }
 
+/* Where a vertex of a finished replay is in the output. */
+static const double *leaving_position(const hs_reference *r, uint32_t v) {
+    return r->limit ? r->vertex[v].limit : r->vertex[v].position;
+}
+
 bool hs_reference_compare(const hs_reference *r, const hs_output *o, hs_reference_comparison *c) {
     *c = (hs_reference_comparison){0};
     const double bound = hs_reference_bound(r, r->generation, o->exponent);
@@ -307,7 +333,13 @@ bool hs_reference_compare(const hs_reference *r, const hs_output *o, hs_referenc
     }
     for (uint32_t i = 0; i < o->vertices; i++)
         if (o->number[i] < r->vertices)
-            compare_position(r->vertex[o->number[i]].position, o->position + 4 * (size_t)i,
+            compare_position(leaving_position(r, o->number[i]), o->position + 4 * (size_t)i,
                              o->number[i], c, bound, block);
-    return !c->different_faces && !c->different_vertices && !c->beyond_bound;
+    if (r->at_level != o->at_level) {
+        c->different_at_level =
+            r->at_level > o->at_level ? r->at_level - o->at_level : o->at_level - r->at_level;
+        note(c, "vertices at their level's position, view", o->view, r->at_level, o->at_level);
+    }
+    return !c->different_faces && !c->different_vertices && !c->different_at_level &&
+           !c->beyond_bound;
 }

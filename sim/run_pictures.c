@@ -35,7 +35,7 @@ static uint32_t affordable_level(const hs_mesh *mesh, uint32_t levels) {
 }
 
 static bool refine(hs_reference *reference, const hs_mesh *mesh, uint32_t level, hs_error *err) {
-    if (!hs_reference_new(reference, mesh, NULL, err)) return false;
+    if (!hs_reference_new(reference, mesh, NULL, HS_BOUNDARY_KEPT, err)) return false;
     bool closed = is_closed(mesh);
     for (uint32_t i = 0; i < level; i++) {
         bool done = closed ? hs_reference_catmull_clark(reference, err)

@@ -93,7 +93,7 @@ static bool run_reference(work *w, hs_error *err) {
         matrix[i] = (double)run->views.view[w->view->number].matrix[i];
     const double start = hs_seconds();
     hs_reference *reference = &w->reference;
-    if (!hs_reference_new(reference, &run->mesh, matrix, err) ||
+    if (!hs_reference_new(reference, &run->mesh, matrix, run->request->settings.boundary, err) ||
         !hs_reference_replay(reference, &run->request->settings, &w->golden, &w->view->decisions,
                              err))
         return false;

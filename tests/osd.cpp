@@ -32,6 +32,31 @@ template <typename Real> struct Position {
 
 using Refiner = std::unique_ptr<Far::TopologyRefiner>;
 
+/* OpenSubdiv's number for a sharpness. */
+float to_sharpness(uint8_t sharpness) {
+    return sharpness == HS_SHARP_INFINITE ? Sdc::Crease::SHARPNESS_INFINITE : float(sharpness);
+}
+
+/* What is sharp in a mesh, in OpenSubdiv's lists. */
+struct Tags {
+    std::vector<Far::Index> edge, vertex; /* an edge is two vertices */
+    std::vector<float> edge_sharpness, vertex_sharpness;
+
+    explicit Tags(const hs_mesh *mesh) {
+        for (uint32_t h = 0; mesh->sharpness && h < mesh->halfedges; h++) {
+            if (mesh->sharpness[h] == 0 || mesh->twin[h] < h) continue;
+            edge.push_back(Far::Index(mesh->origin[h]));
+            edge.push_back(Far::Index(mesh->origin[hs_next(mesh, h)]));
+            edge_sharpness.push_back(to_sharpness(mesh->sharpness[h]));
+        }
+        for (uint32_t v = 0; mesh->vertex_sharpness && v < mesh->vertices; v++) {
+            if (mesh->vertex_sharpness[v] == 0) continue;
+            vertex.push_back(Far::Index(v));
+            vertex_sharpness.push_back(to_sharpness(mesh->vertex_sharpness[v]));
+        }
+    }
+};
+
 Refiner make_refiner(const hs_mesh *mesh, enum osd_boundary boundary) {
     std::vector<int> sides(mesh->faces);
     std::vector<Far::Index> corner(mesh->origin, mesh->origin + mesh->halfedges);
@@ -43,6 +68,14 @@ Refiner make_refiner(const hs_mesh *mesh, enum osd_boundary boundary) {
     descriptor.numFaces = int(mesh->faces);
     descriptor.numVertsPerFace = sides.data();
     descriptor.vertIndicesPerFace = corner.data();
+
+    const Tags tags(mesh);
+    descriptor.numCreases = int(tags.edge_sharpness.size());
+    descriptor.creaseVertexIndexPairs = tags.edge.data();
+    descriptor.creaseWeights = tags.edge_sharpness.data();
+    descriptor.numCorners = int(tags.vertex_sharpness.size());
+    descriptor.cornerVertexIndices = tags.vertex.data();
+    descriptor.cornerWeights = tags.vertex_sharpness.data();
 
     using Factory = Far::TopologyRefinerFactory<Far::TopologyDescriptor>;
     Sdc::Options options;
@@ -121,6 +154,14 @@ void copy_surface(osd_surface *surface, const Far::TopologyRefiner &refiner, con
         else
             primvars.Interpolate(int(l), reinterpret_cast<const P *>(out[-1].position), here);
     }
+    const osd_level *last = &surface->level[surface->levels];
+    surface->limit = new_array<double>(4 * size_t(last->vertices));
+    surface->tangent1 = new_array<double>(4 * size_t(last->vertices));
+    surface->tangent2 = new_array<double>(4 * size_t(last->vertices));
+    P *limit = reinterpret_cast<P *>(surface->limit),
+      *tangent1 = reinterpret_cast<P *>(surface->tangent1),
+      *tangent2 = reinterpret_cast<P *>(surface->tangent2);
+    primvars.Limit(reinterpret_cast<const P *>(last->position), limit, tangent1, tangent2);
 }
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
@@ -140,7 +181,9 @@ bool osd_refine(osd_surface *surface, const hs_mesh *mesh, const double matrix[1
     if (!check_levels(levels, err)) return false;
     Refiner refiner = make_refiner(mesh, boundary);
     if (!refiner) return hs_fail(err, HS_EXIT_MESH, "OpenSubdiv refuses the mesh");
-    refiner->RefineUniform(Far::TopologyRefiner::UniformOptions(int(levels)));
+    Far::TopologyRefiner::UniformOptions how(static_cast<int>(levels));
+    how.fullTopologyInLastLevel = true; /* Limit needs it */
+    refiner->RefineUniform(how);
     surface->levels = levels;
     copy_surface(surface, *refiner, mesh, matrix);
     return true;
@@ -159,6 +202,9 @@ void osd_free(osd_surface *surface) {
         std::free(level.edge_child);
         std::free(level.face_child);
     }
+    std::free(surface->limit);
+    std::free(surface->tangent1);
+    std::free(surface->tangent2);
     std::memset(surface, 0, sizeof *surface);
 }
 

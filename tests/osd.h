@@ -37,9 +37,13 @@ typedef struct osd_level {
 typedef struct osd_surface {
     uint32_t levels; /* of refinement; level[0] is the mesh itself */
     osd_level level[OSD_MAX_LEVELS + 1];
+    /* Of the last level, 4 per vertex: PrimvarRefinerReal<double>::Limit, the position and the two
+     * tangents. */
+    double *limit, *tangent1, *tangent2;
 } osd_surface;
 
-/* Refines a mesh uniformly, position by position in doubles (all four components alike). matrix:
+/* Refines a mesh uniformly, position by position in doubles (all four components alike), with its
+ * sharp edges as creases and its sharp vertices as corners. matrix:
  * row-major, the positions become M p, evaluated in doubles; NULL leaves them as they are. False,
  * and *surface empty, if OpenSubdiv refuses the mesh, levels exceed OSD_MAX_LEVELS or memory is
  * exhausted. */

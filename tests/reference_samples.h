@@ -164,7 +164,7 @@ static inline void matrix_in_double(double out[16]) {
 static inline hs_reference new_reference(const hs_mesh *mesh, const double *matrix) {
     hs_reference r;
     hs_error err;
-    if (!hs_reference_new(&r, mesh, matrix, &err)) fail_msg("%s", err.text);
+    if (!hs_reference_new(&r, mesh, matrix, HS_BOUNDARY_KEPT, &err)) fail_msg("%s", err.text);
     return r;
 }
 
