@@ -65,7 +65,7 @@ $(BUILD)/%: $(BUILD)/tests/%.o $(BUILD)/libsim.a $(BUILD)/libhalfstep.a
 	$(CXX) $^ -o $@ -lcmocka $(LIBS)
 
 # Programs that ask OpenSubdiv for a second opinion, through tests/osd.h.
-OSD_USERS := $(BUILD)/test_reference
+OSD_USERS := $(BUILD)/test_reference $(BUILD)/test_reference_creases $(BUILD)/test_reference_limit
 $(BUILD)/tests/osd.o: tests/osd.cpp
 	@mkdir -p $(@D)
 	$(CXX) $(CXXFLAGS) -c $< -o $@
@@ -88,7 +88,7 @@ test: $(BUILD)/halfstep $(TESTS) ## all tests; logs in build/test-logs
 # The tests that are C alone, in a build of their own. OSMesa keeps some memory for good.
 SANITIZER := -fsanitize=address,undefined -fno-sanitize-recover=undefined
 SANITIZED := golden golden_rules golden_hostile mesh obj file stream frame view shape picture render \
-             reference reference_replay
+             reference reference_creases reference_limit reference_replay
 sanitize: ## the tests of the C code under ASan and UBSan
 	+@$(MAKE) BUILD=$(BUILD)/sanitize CC="gcc $(SANITIZER)" CXX="g++ $(SANITIZER)" OPT=-O1 sanitized
 .PHONY: sanitize sanitized

@@ -4,158 +4,28 @@
  * correspondence that comes from the topology alone; its counts with closed forms; its refinement
  * of a part of a mesh with what a conforming mesh is.
  */
-#include "osd.h"
-#include "reference_samples.h"
+#include "reference_levels.h"
 
 /* Enough levels to see irregular faces and vertices come and go, within a second. */
 static uint32_t levels_for(const hs_mesh *mesh) {
     return mesh->halfedges < 8000 ? 3 : 2;
 }
 
-/* --- The surface, beside OpenSubdiv's
- * ------------------------------------------------------------- */
+/* --- The surface, beside OpenSubdiv's --------------------------------------------------------- */
 
-static uint32_t find_row(const row *rows, uint32_t count, row wanted, const char *what) {
-    const row *found = bsearch(&wanted, rows, count, sizeof *rows, by_key);
-    if (!found)
-        fail_msg("OpenSubdiv has no %s %u %u %u %u", what, wanted.key[0], wanted.key[1],
-                 wanted.key[2], wanted.key[3]);
-    return found ? found->value : 0;
-}
-
-static row edge_row(uint32_t v, uint32_t w, uint32_t value) {
-    return (row){{v < w ? v : w, v < w ? w : v, 0, 0}, value};
-}
-
-/* A quad, turned so that its least vertex is first: orientation matters, the start doesn't. */
-static row quad_row(const uint32_t v[4], uint32_t value) {
-    unsigned least = 0;
-    for (unsigned k = 1; k < 4; k++)
-        if (v[k] < v[least]) least = k;
-    return (row){{v[least], v[(least + 1) % 4], v[(least + 2) % 4], v[(least + 3) % 4]}, value};
-}
-
-/* Which of OpenSubdiv's vertices and faces are the reference's. */
-typedef struct {
-    uint32_t *vertex, *face;
-} correspondence;
-
-static uint32_t *new_numbers(uint32_t count) {
-    uint32_t *numbers = malloc((count + 1u) * sizeof *numbers);
-    assert_non_null(numbers);
-    for (uint32_t i = 0; i < count; i++)
-        numbers[i] = i;
-    return numbers;
-}
-
-/* From a level to the next. Either way of refinement numbers old vertices, face points, edge
- * points in the order of the coarse mesh's vertices, faces, edges. */
-static void descend(correspondence *c, const hs_reference *coarse, const hs_reference *fine,
-                    const osd_level *level) {
-    row *edges = new_rows(level->edges);
-    for (uint32_t e = 0; e < level->edges; e++)
-        edges[e] = edge_row(level->edge[2 * e], level->edge[2 * e + 1], e);
-    qsort(edges, level->edges, sizeof *edges, by_key);
-
-    assert_int_equal(fine->vertices, coarse->vertices + coarse->faces + coarse->edges);
-    uint32_t *vertex = new_numbers(fine->vertices), count = 0;
-    for (uint32_t v = 0; v < coarse->vertices; v++)
-        vertex[count++] = level->vertex_child[c->vertex[v]];
-    for (uint32_t f = 0; f < coarse->faces; f++)
-        vertex[count++] = level->face_child[c->face[f]];
-    for (uint32_t e = 0; e < coarse->edges; e++) {
-        const row wanted =
-            edge_row(c->vertex[coarse->edge[e].v0], c->vertex[coarse->edge[e].v1], 0);
-        vertex[count++] = level->edge_child[find_row(edges, level->edges, wanted, "edge")];
-    }
-    free(edges);
-    free(c->vertex);
-    c->vertex = vertex;
-
-    const osd_level *next = level + 1;
-    row *quads = new_rows(next->faces);
-    for (uint32_t f = 0; f < next->faces; f++)
-        quads[f] = quad_row(next->corner + next->first[f], f);
-    qsort(quads, next->faces, sizeof *quads, by_key);
-    free(c->face);
-    c->face = new_numbers(fine->faces);
-    for (uint32_t f = 0; f < fine->faces; f++) {
-        uint32_t corner[4];
-        for (uint32_t k = 0; k < 4; k++)
-            corner[k] = vertex[fine->face_vertex[fine->face[f].v.first + k]];
-        c->face[f] = find_row(quads, next->faces, quad_row(corner, 0), "quad");
-    }
-    free(quads);
-}
-
-static double largest_component(const hs_reference *r) {
-    double largest = 0;
-    for (uint32_t v = 0; v < r->vertices; v++)
-        for (int i = 0; i < 4; i++)
-            largest = fmax(largest, fabs(r->vertex[v].position[i]));
-    return largest;
-}
-
-/* Largest difference of a component. */
-static double distance(const hs_reference *r, const osd_level *level, const uint32_t *vertex) {
-    double largest = 0;
-    assert_int_equal(r->vertices, level->vertices);
-    for (uint32_t v = 0; v < r->vertices; v++)
-        for (int i = 0; i < 4; i++) {
-            const double here = r->vertex[v].position[i],
-                         there = level->position[4 * (size_t)vertex[v] + (size_t)i];
-            if (!(fabs(here - there) <= largest)) largest = fabs(here - there);
+static void compare_all_with_opensubdiv(const samples *all, refine_level *refine) {
+    for (unsigned mode = 0; mode < 2; mode++) {
+        double worst = 0;
+        for (uint32_t i = 0; i < all->count; i++) {
+            const hs_mesh *mesh = &all->item[i].mesh;
+            const double here =
+                compare_with_opensubdiv(mesh, refined_modes[mode], levels_for(mesh), refine);
+            if (!(here <= 1e-12)) fail_msg("%s: relative distance %g", all->item[i].name, here);
+            worst = fmax(worst, here);
         }
-    return largest;
-}
-
-static void two_steps(hs_reference *r) {
-    step(r, NULL);
-    step(r, NULL);
-}
-
-static void one_level(hs_reference *r) {
-    hs_error err;
-    if (!hs_reference_catmull_clark(r, &err)) fail_msg("%s", err.text);
-}
-
-/* Relative distance, the worst of levels 1 to 3. */
-static double compare_with_opensubdiv(const hs_mesh *mesh, void (*refine)(hs_reference *)) {
-    double matrix[16], worst = 0;
-    matrix_in_double(matrix);
-    hs_reference coarse, fine = new_reference(mesh, matrix);
-    const double scale = largest_component(&fine);
-    osd_surface surface;
-    hs_error err;
-    if (!osd_refine(&surface, mesh, matrix, levels_for(mesh), OSD_BOUNDARY_EDGE_AND_CORNER, &err))
-        fail_msg("%s", err.text);
-    correspondence c = {new_numbers(mesh->vertices), new_numbers(mesh->faces)};
-    for (uint32_t l = 0; l < surface.levels; l++) {
-        if (!hs_reference_copy(&coarse, &fine, &err)) fail_msg("%s", err.text);
-        refine(&fine);
-        descend(&c, &coarse, &fine, &surface.level[l]);
-        worst = fmax(worst, distance(&fine, &surface.level[l + 1], c.vertex) / scale);
-        hs_reference_free(&coarse);
+        print_message("%u meshes, mode %u: worst relative distance %.2g\n", all->count,
+                      refined_modes[mode], worst);
     }
-    hs_reference_free(&fine);
-    osd_free(&surface);
-    free(c.vertex);
-    free(c.face);
-    return worst;
-}
-
-static void compare_all_with_opensubdiv(const samples *all, void (*refine)(hs_reference *)) {
-    double worst = 0;
-    uint32_t compared = 0;
-    for (uint32_t i = 0; i < all->count; i++) {
-        if (!all->item[i].closed) continue;
-        const double here = compare_with_opensubdiv(&all->item[i].mesh, refine);
-        if (!(here <= 1e-12)) fail_msg("%s: relative distance %g", all->item[i].name, here);
-        worst = fmax(worst, here);
-        compared++;
-    }
-    print_message("%u closed meshes, worst relative distance %.2g\n", compared, worst);
-    assert_true(compared >= 3);
 }
 
 static void two_m_steps_are_m_levels_of_opensubdiv(void **state) {
@@ -182,7 +52,7 @@ static void a_corner_of_a_cube_moves_to_five_ninths(void **state) {
     (void)state;
     hs_mesh cube;
     build_cube(&cube);
-    hs_reference r = new_reference(&cube, NULL);
+    hs_reference r = new_reference(&cube, NULL, HS_BOUNDARY_SMOOTH);
     step(&r, NULL);
     for (int i = 0; i < 3; i++)
         assert_true(fabs(r.vertex[7].position[i] - 5.0 / 9) < 1e-15);
@@ -191,13 +61,13 @@ static void a_corner_of_a_cube_moves_to_five_ninths(void **state) {
     hs_mesh_free(&cube);
 }
 
-static void direct_catmull_clark_refuses_a_boundary(void **state) {
+static void direct_catmull_clark_refuses_a_boundary_that_is_kept(void **state) {
     (void)state;
     const float position[] = {0, 0, 0, 1, 1, 0, 0, 1, 0, 1, 0, 1};
     const uint32_t sides[] = {3}, corner[] = {0, 1, 2};
     hs_mesh triangle;
     build(&triangle, "triangle", 3, position, 1, sides, corner);
-    hs_reference r = new_reference(&triangle, NULL);
+    hs_reference r = new_reference(&triangle, NULL, HS_BOUNDARY_KEPT);
     hs_error err = {0};
     assert_false(hs_reference_catmull_clark(&r, &err));
     assert_int_equal(err.code, HS_EXIT_MESH);
@@ -206,22 +76,33 @@ static void direct_catmull_clark_refuses_a_boundary(void **state) {
     hs_mesh_free(&triangle);
 }
 
-/* --- Topology
- * ----------------------------------------------------------------------------------------- */
+/* --- Topology --------------------------------------------------------------------------------- */
 
-/* On a closed mesh: V' = V + F, F' = E, E' = 2 E. */
+static uint32_t count_boundary(const hs_reference *r) {
+    uint32_t count = 0;
+    for (uint32_t e = 0; e < r->edges; e++) {
+        assert_int_equal(r->edge[e].boundary, r->edge[e].f1 == HS_REFERENCE_NONE);
+        count += r->edge[e].boundary;
+    }
+    return count;
+}
+
+/* With C corners and B boundary edges: V' = V + F; of an odd step F' = E, E' = C + B, B' = B; of an
+ * even one F' = E - B, E' = C, B' = 2B. */
 static void uniform_steps_have_the_closed_forms_counts(void **state) {
     const samples *all = *state;
     for (uint32_t i = 0; i < all->count; i++) {
-        if (!all->item[i].closed) continue;
-        hs_reference r = new_reference(&all->item[i].mesh, NULL);
-        assert_int_equal(2 * r.edges, all->item[i].mesh.halfedges);
+        hs_reference r = new_reference(&all->item[i].mesh, NULL, HS_BOUNDARY_SMOOTH);
         for (uint32_t g = 0; g < 4; g++) {
-            const uint32_t vertices = r.vertices, faces = r.faces, edges = r.edges;
+            const uint32_t vertices = r.vertices, faces = r.faces, edges = r.edges,
+                           corners = r.corners, boundary = count_boundary(&r);
+            const bool odd = g % 2 == 0;
+            assert_int_equal(2 * r.edges, r.corners + boundary);
             step(&r, NULL);
             assert_int_equal(r.vertices, vertices + faces);
-            assert_int_equal(r.faces, edges);
-            assert_int_equal(r.edges, 2 * edges);
+            assert_int_equal(r.faces, odd ? edges : edges - boundary);
+            assert_int_equal(r.edges, odd ? corners + boundary : corners);
+            assert_int_equal(count_boundary(&r), odd ? boundary : 2 * boundary);
             assert_int_equal(r.finals, 0);
             assert_int_equal(r.generation, g + 1);
         }
@@ -229,17 +110,45 @@ static void uniform_steps_have_the_closed_forms_counts(void **state) {
     }
 }
 
+static const hs_boundary all_modes[] = {HS_BOUNDARY_KEPT, HS_BOUNDARY_SMOOTH,
+                                        HS_BOUNDARY_EDGE_ONLY};
+
 static void uniform_refinement_is_conforming_at_every_depth(void **state) {
     const samples *all = *state;
     for (uint32_t i = 0; i < all->count; i++) {
-        for (uint32_t depth = 0; depth <= 4; depth++) {
-            hs_reference r = new_reference(&all->item[i].mesh, NULL);
-            for (uint32_t g = 0; g < depth; g++)
+        for (uint32_t k = 0; k < 2 * 5; k++) {
+            hs_reference r = new_reference(&all->item[i].mesh, NULL, all_modes[k / 5]);
+            for (uint32_t g = 0; g < k % 5; g++)
                 step(&r, NULL);
             finish(&r);
             assert_int_equal(r.faces, 0);
             check_conforming(&r, &all->item[i]);
             hs_reference_free(&r);
+        }
+    }
+}
+
+/* The step to the last generation gives what an ordinary one does, in another order of faces. */
+static void a_last_step_gives_the_faces_of_an_ordinary_one(void **state) {
+    const samples *all = *state;
+    for (uint32_t i = 0; i < all->count; i++) {
+        for (uint32_t depth = 1; depth <= 4; depth++) {
+            hs_reference a = new_reference(&all->item[i].mesh, NULL, HS_BOUNDARY_SMOOTH), b;
+            hs_error err;
+            for (uint32_t g = 0; g + 1 < depth; g++)
+                step(&a, NULL);
+            assert_true(hs_reference_copy(&b, &a, &err));
+            step(&a, NULL);
+            finish(&a);
+            assert_true(hs_reference_last_step(&b, NULL, &err));
+            assert_int_equal(b.faces, 0);
+            assert_int_equal(a.finals, b.finals);
+            assert_int_equal(a.final_corners, b.final_corners);
+            for (uint32_t f = 0; f < a.finals; f++)
+                assert_int_equal(a.final[f].generation, b.final[f].generation);
+            check_conforming(&b, &all->item[i]);
+            hs_reference_free(&a);
+            hs_reference_free(&b);
         }
     }
 }
@@ -254,7 +163,7 @@ static uint8_t *new_decision(uint32_t faces, uint8_t value) {
 static void refining_every_face_equals_a_uniform_step(void **state) {
     const samples *all = *state;
     for (uint32_t i = 0; i < all->count; i++) {
-        hs_reference a = new_reference(&all->item[i].mesh, NULL), b;
+        hs_reference a = new_reference(&all->item[i].mesh, NULL, HS_BOUNDARY_SMOOTH), b;
         hs_error err;
         assert_true(hs_reference_copy(&b, &a, &err));
         for (uint32_t g = 0; g < 4; g++) {
@@ -310,8 +219,8 @@ static void refining_any_faces_gives_a_conforming_mesh(void **state) {
     const samples *all = *state;
     uint32_t seed = 2463534242u;
     for (uint32_t i = 0; i < all->count; i++) {
-        for (uint32_t run = 0; run < 4; run++) {
-            hs_reference r = new_reference(&all->item[i].mesh, NULL);
+        for (uint32_t run = 0; run < 6; run++) {
+            hs_reference r = new_reference(&all->item[i].mesh, NULL, all_modes[run % 3]);
             refine_at_random(&r, 5, &seed);
             finish(&r);
             check_conforming(&r, &all->item[i]);
@@ -326,7 +235,7 @@ static void final_faces_leave_in_the_order_of_the_active_ones(void **state) {
     (void)state;
     hs_mesh cube;
     build_cube(&cube);
-    hs_reference r = new_reference(&cube, NULL);
+    hs_reference r = new_reference(&cube, NULL, HS_BOUNDARY_SMOOTH);
     const uint8_t decision[6] = {HS_REFERENCE_REFINED, 0, HS_REFERENCE_REFINED, 0, 0, 0};
     step(&r, decision);
     finish(&r);
@@ -344,8 +253,7 @@ static void final_faces_leave_in_the_order_of_the_active_ones(void **state) {
     hs_mesh_free(&cube);
 }
 
-/* --- Its own decisions
- * ---------------------------------------------------------------------------------- */
+/* --- Its own decisions ------------------------------------------------------------------------ */
 
 static void decide(const hs_reference *r, const hs_settings *settings, uint8_t *decision) {
     hs_error err;
@@ -359,7 +267,7 @@ static void only_the_front_face_of_a_cube_is_front(void **state) {
     const double look[16] = {0.5, 0, 0, 0, 0, 0.5, 0, 0, 0, 0, -0.5, 0, 0, 0, 0, 1};
     hs_mesh cube;
     build_cube(&cube);
-    hs_reference r = new_reference(&cube, look);
+    hs_reference r = new_reference(&cube, look, HS_BOUNDARY_SMOOTH);
     uint8_t decision[6];
     const hs_settings front = {.front_depth = 1}, guarded = {.front_depth = 1, .guard = true},
                       silhouette = {.silhouette_depth = 1};
@@ -374,12 +282,12 @@ static void only_the_front_face_of_a_cube_is_front(void **state) {
     hs_reference_free(&r);
 
     const double beside[16] = {0.5, 0, 0, 3, 0, 0.5, 0, 0, 0, 0, -0.5, 0, 0, 0, 0, 1};
-    r = new_reference(&cube, beside); /* out of view: x > w */
+    r = new_reference(&cube, beside, HS_BOUNDARY_SMOOTH); /* out of view: x > w */
     decide(&r, &front, decision);
     assert_int_equal(decision[0], 0);
     cube.forced[1] = 1;
     hs_reference_free(&r);
-    r = new_reference(&cube, beside);
+    r = new_reference(&cube, beside, HS_BOUNDARY_SMOOTH);
     decide(&r, &front, decision);
     assert_int_equal(decision[1], HS_REFERENCE_SELECTED | HS_REFERENCE_REFINED);
     hs_reference_free(&r);
@@ -392,9 +300,10 @@ int main(void) {
         cmocka_unit_test(two_m_steps_are_m_levels_of_opensubdiv),
         cmocka_unit_test(direct_catmull_clark_is_opensubdivs),
         cmocka_unit_test(the_race_against_opensubdiv_counts_what_it_made),
-        cmocka_unit_test(direct_catmull_clark_refuses_a_boundary),
+        cmocka_unit_test(direct_catmull_clark_refuses_a_boundary_that_is_kept),
         cmocka_unit_test(uniform_steps_have_the_closed_forms_counts),
         cmocka_unit_test(uniform_refinement_is_conforming_at_every_depth),
+        cmocka_unit_test(a_last_step_gives_the_faces_of_an_ordinary_one),
         cmocka_unit_test(refining_every_face_equals_a_uniform_step),
         cmocka_unit_test(refining_any_faces_gives_a_conforming_mesh),
         cmocka_unit_test(final_faces_leave_in_the_order_of_the_active_ones),

@@ -5,7 +5,7 @@
  * everything that could be different.
  */
 #include "golden.h"
-#include "reference_samples.h"
+#include "reference_shapes.h"
 
 typedef struct {
     hs_output output;
@@ -20,22 +20,24 @@ static void transform(const float m[16], const float p[4], float clip[4]) {
 }
 
 /* The reference from what the transform gives, so that only the refinement is compared. */
-static hs_reference new_reference_in_clip_space(const hs_mesh *mesh, const float matrix[16]) {
+static hs_reference new_reference_in_clip_space(const hs_mesh *mesh, const float matrix[16],
+                                                hs_boundary boundary) {
     hs_mesh clip = *mesh;
     clip.position = malloc(4 * mesh->vertices * sizeof(float));
     assert_non_null(clip.position);
     for (size_t v = 0; v < mesh->vertices; v++)
         transform(matrix, mesh->position + 4 * v, clip.position + 4 * v);
-    const hs_reference r = new_reference(&clip, NULL);
+    const hs_reference r = new_reference(&clip, NULL, boundary);
     free(clip.position);
     return r;
 }
 
-static hs_reference new_reference_in_object_space(const hs_mesh *mesh, const float matrix[16]) {
+static hs_reference new_reference_in_object_space(const hs_mesh *mesh, const float matrix[16],
+                                                  hs_boundary boundary) {
     double m[16];
     for (int i = 0; i < 16; i++)
         m[i] = (double)matrix[i];
-    return new_reference(mesh, m);
+    return new_reference(mesh, m, boundary);
 }
 
 static replayed replay(hs_golden *golden, const sample *s, const float matrix[16],
@@ -44,8 +46,9 @@ static replayed replay(hs_golden *golden, const sample *s, const float matrix[16
     hs_packet in = {0}, out = {0};
     hs_golden_report report;
     hs_error err;
-    run.reference = from_clip_space ? new_reference_in_clip_space(&s->mesh, matrix)
-                                    : new_reference_in_object_space(&s->mesh, matrix);
+    run.reference = from_clip_space
+                        ? new_reference_in_clip_space(&s->mesh, matrix, settings->boundary)
+                        : new_reference_in_object_space(&s->mesh, matrix, settings->boundary);
     if (!hs_packet_encode(&in, 0, &s->mesh, matrix, settings, &err) ||
         !hs_golden_run(golden, &in, &out, &report, &err) ||
         !hs_output_decode(&run.output, &out, &err) ||
@@ -67,6 +70,33 @@ static const hs_settings replayed_settings[] = {
     {.front_depth = 4, .silhouette_depth = 8, .guard = false},
     {.front_depth = 3, .silhouette_depth = 5, .guard = true},
     {.uniform = true, .uniform_depth = 5, .guard = true},
+    {.front_depth = 4, .silhouette_depth = 7, .guard = true, .boundary = HS_BOUNDARY_SMOOTH},
+    {.front_depth = 3, .silhouette_depth = 6, .guard = false, .boundary = HS_BOUNDARY_EDGE_ONLY},
+    {.uniform = true, .uniform_depth = 4, .guard = true, .boundary = HS_BOUNDARY_EDGE_ONLY},
+    {.uniform = true, .uniform_depth = 5, .guard = true, .boundary = HS_BOUNDARY_SMOOTH},
+    {.front_depth = 4, .silhouette_depth = 6, .guard = true, .limit = true},
+    {.front_depth = 3,
+     .silhouette_depth = 5,
+     .guard = true,
+     .limit = true,
+     .boundary = HS_BOUNDARY_SMOOTH},
+    {.front_depth = 2,
+     .silhouette_depth = 4,
+     .guard = false,
+     .limit = true,
+     .boundary = HS_BOUNDARY_EDGE_ONLY},
+    {.uniform = true,
+     .uniform_depth = 3,
+     .guard = true,
+     .limit = true,
+     .boundary = HS_BOUNDARY_SMOOTH},
+    {.front_depth = 9,
+     .silhouette_depth = 9,
+     .guard = true,
+     .boundary = HS_BOUNDARY_SMOOTH,
+     .min_edge = 20 * HS_PIXEL_FRACTION,
+     .width = 1024,
+     .height = 768},
 };
 
 /* Sums over many comparisons. */
@@ -167,7 +197,7 @@ static void a_view_that_was_stopped_is_replayed(void **state) {
     assert_true(hs_golden_run(golden, &in, &out, &report, &err));
     assert_int_equal(report.status, HS_STATUS_STOPPED);
     assert_true(hs_output_decode(&output, &out, &err));
-    hs_reference r = new_reference_in_clip_space(&torus->mesh, perspective);
+    hs_reference r = new_reference_in_clip_space(&torus->mesh, perspective, HS_BOUNDARY_KEPT);
     hs_reference_decisions decisions;
     assert_true(hs_reference_replay(&r, &deep, &report, &decisions, &err));
     hs_reference_comparison c;
