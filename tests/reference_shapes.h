@@ -228,26 +228,31 @@ static inline void add_tagged_files(samples *all) {
 }
 
 /* Small meshes of every kind: closed and open, smooth and tagged. */
-static inline int make_sharp_samples(void **state) {
-    samples *all = calloc(1, sizeof *all);
-    assert_non_null(all);
-    uint32_t seed = 88172645u;
-    build_grid(&add_sample(all, "grid")->mesh, 4, 3);
-    build_grid(&add_sample(all, "tagged grid")->mesh, 5, 4);
-    tag_at_random(&all->item[1].mesh, &seed, 3, 8);
-    build_pillow(&add_sample(all, "pillow")->mesh);
+static inline void add_sharp_samples(samples *all) {
     static const uint32_t valences[] = {3, 5, 64, 254, 255};
+    uint32_t seed = 88172645u;
+    build_pillow(&add_sample(all, "pillow")->mesh);
+    build_grid(&add_sample(all, "grid")->mesh, 4, 3);
+    sample *s = add_sample(all, "tagged grid");
+    build_grid(&s->mesh, 5, 4);
+    tag_at_random(&s->mesh, &seed, 3, 8);
     for (size_t i = 0; i < sizeof valences / sizeof *valences; i++) {
         build_cone(&add_sample(all, "cone")->mesh, valences[i], false);
         build_cone(&add_sample(all, "open cone")->mesh, valences[i], true);
-        sample *tagged = add_sample(all, "tagged cone");
-        build_cone(&tagged->mesh, valences[i], i % 2 == 0);
-        tag_at_random(&tagged->mesh, &seed, valences[i], 7);
+        s = add_sample(all, "tagged cone");
+        build_cone(&s->mesh, valences[i], i % 2 == 0);
+        tag_at_random(&s->mesh, &seed, valences[i], 7);
         build_polygon(&add_sample(all, "polygon")->mesh, valences[i]);
     }
     for (uint32_t i = 0; i < 20; i++)
         build_random_cube(&add_sample(all, "random cube")->mesh, 77 + i);
     add_tagged_files(all);
+}
+
+static inline int make_sharp_samples(void **state) {
+    samples *all = calloc(1, sizeof *all);
+    assert_non_null(all);
+    add_sharp_samples(all);
     *state = all;
     return 0;
 }

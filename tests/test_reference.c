@@ -294,6 +294,46 @@ static void only_the_front_face_of_a_cube_is_front(void **state) {
     hs_mesh_free(&cube);
 }
 
+/* The cube's front is 1 wide and high in clip space of w = 1: half of the picture. */
+static void a_face_stops_when_all_its_edges_are_short(void **state) {
+    (void)state;
+    const double look[16] = {0.5, 0, 0, 0, 0, 0.5, 0, 0, 0, 0, -0.5, 0, 0, 0, 0, 1};
+    hs_mesh cube;
+    build_cube(&cube);
+    hs_reference r = new_reference(&cube, look, HS_BOUNDARY_SMOOTH);
+    uint8_t decision[6];
+    static const struct {
+        uint16_t width, height, min_edge;
+        bool wanted;
+    } cases[] = {
+        {200, 200, 0, true},    {200, 200, 1600, true}, {200, 200, 1601, false},
+        {201, 200, 1601, true}, {200, 201, 1601, true}, {200, 100, 1601, false},
+        {100, 202, 1601, true},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        const hs_settings settings = {.front_depth = 1,
+                                      .min_edge = cases[i].min_edge,
+                                      .width = cases[i].width,
+                                      .height = cases[i].height};
+        decide(&r, &settings, decision);
+        assert_int_equal(decision[0] & HS_REFERENCE_SELECTED, cases[i].wanted);
+    }
+    const hs_settings everything_is_short = {
+        .front_depth = 1, .min_edge = 65535, .width = 1, .height = 1};
+    r.vertex[4].position[3] = 0; /* a corner that is not before the eye */
+    decide(&r, &everything_is_short, decision);
+    assert_int_equal(decision[0], HS_REFERENCE_SELECTED | HS_REFERENCE_REFINED);
+    hs_reference_free(&r);
+
+    cube.forced[0] = 1; /* what is forced does not stop */
+    r = new_reference(&cube, look, HS_BOUNDARY_SMOOTH);
+    decide(&r, &everything_is_short, decision);
+    assert_int_equal(decision[0], HS_REFERENCE_SELECTED | HS_REFERENCE_REFINED);
+    assert_int_equal(decision[1], 0);
+    hs_reference_free(&r);
+    hs_mesh_free(&cube);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_corner_of_a_cube_moves_to_five_ninths),
@@ -308,6 +348,7 @@ int main(void) {
         cmocka_unit_test(refining_any_faces_gives_a_conforming_mesh),
         cmocka_unit_test(final_faces_leave_in_the_order_of_the_active_ones),
         cmocka_unit_test(only_the_front_face_of_a_cube_is_front),
+        cmocka_unit_test(a_face_stops_when_all_its_edges_are_short),
     };
     return cmocka_run_group_tests_name("reference", tests, make_samples, free_samples);
 }

@@ -169,7 +169,7 @@ static void forced_faces_are_replayed(void **state) {
         for (uint32_t f = 0; f < s.mesh.faces; f++)
             forced[f] = (uint8_t)(6 * f / s.mesh.faces);
         s.mesh.forced = forced;
-        const hs_settings nothing_else = {.guard = true};
+        const hs_settings nothing_else = {.guard = true, .boundary = (hs_boundary)(i % 3)};
         replayed run = replay(golden, &s, perspective, &nothing_else, true);
         hs_reference_comparison c;
         if (!hs_reference_compare(&run.reference, &run.output, &c))
@@ -180,6 +180,27 @@ static void forced_faces_are_replayed(void **state) {
         free_replayed(&run);
         free(forced);
     }
+    hs_golden_free(golden);
+}
+
+/* What leaves at its limit is elsewhere than its level has it; all of a closed uniform run does. */
+static void limit_positions_are_kept_apart_from_the_levels(void **state) {
+    const samples *all = *state;
+    hs_golden *golden = hs_golden_new(HS_DEFAULT_LIMITS);
+    const hs_settings deep = {.uniform = true, .uniform_depth = 3, .limit = true};
+    replayed run = replay(golden, &all->item[2], perspective, &deep, true);
+    assert_int_equal(run.reference.at_level, 0);
+    for (uint32_t v = 0; v < run.reference.vertices; v++) {
+        const hs_reference_vertex *vertex = &run.reference.vertex[v];
+        assert_memory_not_equal(vertex->limit, vertex->position, sizeof vertex->limit);
+    }
+    free_replayed(&run);
+
+    const hs_settings shallow = {.front_depth = 3, .guard = true, .limit = true};
+    run = replay(golden, &all->item[2], perspective, &shallow, true);
+    assert_true(run.reference.at_level > 0);
+    assert_int_equal(run.output.at_level, run.reference.at_level);
+    free_replayed(&run);
     hs_golden_free(golden);
 }
 
@@ -251,9 +272,21 @@ static void a_comparison_finds_what_is_different(void **state) {
     assert_false(hs_reference_compare(&run.reference, o, &c));
     assert_int_equal(c.different_faces, 1);
     o->candidate[0] ^= 1;
+
+    run.output.at_level = 3;
+    assert_false(hs_reference_compare(&run.reference, o, &c));
+    assert_int_equal(c.different_at_level, 3);
+    assert_non_null(strstr(c.first, "at their level"));
+    run.output.at_level = 0;
     assert_true(hs_reference_compare(&run.reference, o, &c));
     free_replayed(&run);
     hs_golden_free(golden);
+}
+
+static int make_all_samples(void **state) {
+    make_samples(state);
+    add_sharp_samples(*state);
+    return 0;
 }
 
 int main(void) {
@@ -261,8 +294,9 @@ int main(void) {
         cmocka_unit_test(golden_is_within_the_documented_bound_of_the_reference),
         cmocka_unit_test(from_the_same_clip_positions_the_bound_is_tighter_and_holds),
         cmocka_unit_test(forced_faces_are_replayed),
+        cmocka_unit_test(limit_positions_are_kept_apart_from_the_levels),
         cmocka_unit_test(a_view_that_was_stopped_is_replayed),
         cmocka_unit_test(a_comparison_finds_what_is_different),
     };
-    return cmocka_run_group_tests_name("reference replay", tests, make_samples, free_samples);
+    return cmocka_run_group_tests_name("reference replay", tests, make_all_samples, free_samples);
 }
