@@ -237,6 +237,61 @@ static void refining_deeper_moves_no_vertex(void **state) {
     assert_true(creases > 100 && compared > 2 * creases && valence_2 > 0);
 }
 
+/* --- What leaves a replay --------------------------------------------------------------------- */
+
+/* An odd generation has the positions of the next level, and the attributes which the even one
+ * makes vertices of: what leaves in either has the same limit. */
+static void vertices_leave_odd_and_even_generations_at_the_same_limit(void **state) {
+    const samples *all = *state;
+    uint64_t compared = 0;
+    for (uint32_t i = 0; i < 2 * all->count; i++) {
+        hs_reference r = new_reference(&all->item[i / 2].mesh, NULL, refined_modes[i % 2]), odd;
+        const double size = box_size(&r);
+        hs_error err;
+        for (uint32_t level = 1; level <= (r.corners < 400 ? 2 : 1); level++) {
+            step(&r, NULL);
+            assert_true(hs_reference_copy(&odd, &r, &err));
+            odd.limit = true;
+            finish(&odd);
+            assert_int_equal(odd.at_level, 0);
+            step(&r, NULL);
+            limits even = new_limits(&r);
+            for (uint32_t v = 0; v < odd.vertices; v++) {
+                const double d = largest_difference(odd.vertex[v].limit, even.position[v], 4);
+                if (!(d <= 1e-13 * size))
+                    fail_msg("%s, level %u: vertex %u differs by %g", all->item[i / 2].name, level,
+                             v, d);
+                compared++;
+            }
+            free_limits(&even);
+            hs_reference_free(&odd);
+        }
+        hs_reference_free(&r);
+    }
+    assert_true(compared > 10000);
+}
+
+/* Two faces of a cube are refined. Its vertices leave at once, as final faces have them, but their
+ * rings were whole; the new vertices are born with triangles, and never have a ring. */
+static void vertices_without_a_ring_leave_where_they_are_and_are_counted(void **state) {
+    (void)state;
+    hs_mesh cube;
+    build_cube(&cube);
+    hs_reference r = new_reference(&cube, NULL, HS_BOUNDARY_SMOOTH);
+    r.limit = true;
+    const uint8_t decision[6] = {HS_REFERENCE_REFINED, 0, HS_REFERENCE_REFINED, 0, 0, 0};
+    step(&r, decision);
+    finish(&r);
+    assert_int_equal(r.at_level, 2);
+    for (uint32_t v = 0; v < 8; v++) /* (9 + 4 (1 + 1 - 1) + (1 - 1 - 1))/24 = 1/2 */
+        for (int i = 0; i < 3; i++)
+            assert_true(fabs(r.vertex[v].limit[i] - 0.5 * (v >> i & 1 ? 1 : -1)) < 1e-15);
+    for (uint32_t v = 8; v < 10; v++)
+        assert_memory_equal(r.vertex[v].limit, r.vertex[v].position, sizeof r.vertex[v].limit);
+    hs_reference_free(&r);
+    hs_mesh_free(&cube);
+}
+
 /* --- By hand ---------------------------------------------------------------------------------- */
 
 /* A sphere's normals point away from its middle, whatever the homogeneous w of its vertices. */
@@ -319,6 +374,8 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(limits_and_normals_are_opensubdivs),
         cmocka_unit_test(refining_deeper_moves_no_vertex),
+        cmocka_unit_test(vertices_leave_odd_and_even_generations_at_the_same_limit),
+        cmocka_unit_test(vertices_without_a_ring_leave_where_they_are_and_are_counted),
         cmocka_unit_test(normals_look_outward_in_projected_space),
         cmocka_unit_test(a_sharp_cube_has_six_normals),
         cmocka_unit_test(without_a_whole_ring_a_vertex_stays_and_has_the_normal_of_its_fan),
