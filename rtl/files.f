@@ -40,5 +40,6 @@ rtl/to_fixed.sv
 rtl/to_float.sv
 rtl/transform.sv
 rtl/unpack.sv
+rtl/vertex_kind.sv
 rtl/vertex_memory.sv
 rtl/vertex_records.sv
