@@ -31,6 +31,7 @@ rtl/registers.sv
 rtl/scatter.sv
 rtl/select.sv
 rtl/sequencer.sv
+rtl/sharpness.sv
 rtl/smooth.sv
 rtl/split.sv
 rtl/split_faces.sv
