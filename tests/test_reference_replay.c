@@ -169,7 +169,8 @@ static void forced_faces_are_replayed(void **state) {
         for (uint32_t f = 0; f < s.mesh.faces; f++)
             forced[f] = (uint8_t)(6 * f / s.mesh.faces);
         s.mesh.forced = forced;
-        const hs_settings nothing_else = {.guard = true, .boundary = (hs_boundary)(i % 3)};
+        const hs_settings nothing_else = {
+            .guard = true, .limit = i % 2 == 1, .boundary = (hs_boundary)(i % 3)};
         replayed run = replay(golden, &s, perspective, &nothing_else, true);
         hs_reference_comparison c;
         if (!hs_reference_compare(&run.reference, &run.output, &c))
