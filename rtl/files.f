@@ -24,6 +24,7 @@ rtl/pack.sv
 rtl/quantize.sv
 rtl/receive.sv
 rtl/receive_check.sv
+rtl/receive_header.sv
 rtl/receive_verdict.sv
 rtl/record_memory.sv
 rtl/refine.sv

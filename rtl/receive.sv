@@ -3,7 +3,7 @@
 // The receive stage: takes the packet of a view apart, checks every bit of it, and hands its
 // vertices to transform and its corners to the corner memory. docs/stream.md defines the packet.
 //
-//   beats -> unpack -> a record a cycle -+-> header registers
+//   beats -> unpack -> a record a cycle -+-> receive_header: settings, counts, matrix
 //                                        +-> receive_verdict: what is wrong, and where
 //                                        +-> vertices to transform, corners to memory
 //
@@ -50,15 +50,22 @@ module receive #(
     output logic [ 15:0] view_o,              // TID of the packet's first beat
     output logic         uniform_o,
     output logic         guard_o,
+    output logic         limit_o,
+    output logic         kept_o,              // the boundary's mode
+    output logic         corners_stay_o,      // it is smooth
     output logic [  7:0] front_depth_o,
     output logic [  7:0] silhouette_depth_o,
     output logic [  7:0] uniform_depth_o,
+    output logic [ 15:0] min_edge_o,          // sixteenths of a pixel; 0: there is none
+    output logic [ 15:0] width_o,             // of the picture, in pixels
+    output logic [ 15:0] height_o,
     output logic [ VW:0] vertices_o,
     output logic [ QW:0] faces_o,
     output logic [ QW:0] halfedges_o,
     output logic [511:0] matrix_o,            // row r, column c: bits 128*r + 32*c +: 32
     output logic [  7:0] forced_max_o,        // largest forced depth
-    output logic         closed_o,            // no half-edge is on a border
+    output logic         closed_o,            // no half-edge is on a border or boundary
+    output logic [ QW:0] boundary_count_o,    // half-edges on the boundary
 
     // Transform: takes a vertex whenever one is valid
     output logic          vertex_valid_o,
@@ -69,15 +76,19 @@ module receive #(
     input  logic [VW-1:0] overflow_index_i,
     input  logic [   1:0] overflow_row_i,
 
-    // Corner memory: half-edge corner_index_o
+    // Corner memory: half-edge corner_index_o. Without a twin it is on the border if the mode is
+    // kept, else on the boundary; its edge then has the sharpness 0.
     output logic          corner_valid_o,
     output logic [QW-1:0] corner_index_o,
     output logic [VW-1:0] corner_origin_o,
-    output logic [QW-1:0] corner_twin_o,    // anything if corner_border_o
+    output logic [QW-1:0] corner_twin_o,       // anything if there is none
     output logic          corner_border_o,
+    output logic          corner_boundary_o,
+    output logic [   3:0] corner_sharpness_o,  // of the edge
+    output logic [   3:0] corner_own_o,        // of the vertex
     output logic [   7:0] corner_forced_o,
-    output logic          corner_first_o,   // of its face
-    output logic          corner_last_o,    // of its face
+    output logic          corner_first_o,      // of its face
+    output logic          corner_last_o,       // of its face
     output logic [QW-1:0] corner_face_o,
 
     // Activity; idle if none of the three
@@ -112,17 +123,18 @@ module receive #(
 
   // --- What the record is. A packet is at work from start_i to its last record, then drains.
 
-  localparam logic [2:0] AT_VIEW = 3'd0;
-  localparam logic [2:0] AT_COUNTS = 3'd1;
-  localparam logic [2:0] AT_MATRIX = 3'd2;
-  localparam logic [2:0] AT_VERTEX = 3'd3;
-  localparam logic [2:0] AT_CORNER = 3'd4;
-  localparam logic [2:0] AT_END = 3'd5;
-  localparam logic [2:0] AT_BEHIND = 3'd6;
-  localparam logic [2:0] AT_DISCARD = 3'd7;
+  localparam logic [3:0] AT_VIEW = 4'd0;
+  localparam logic [3:0] AT_COUNTS = 4'd1;
+  localparam logic [3:0] AT_PICTURE = 4'd2;
+  localparam logic [3:0] AT_MATRIX = 4'd3;
+  localparam logic [3:0] AT_VERTEX = 4'd4;
+  localparam logic [3:0] AT_CORNER = 4'd5;
+  localparam logic [3:0] AT_END = 4'd6;
+  localparam logic [3:0] AT_BEHIND = 4'd7;
+  localparam logic [3:0] AT_DISCARD = 4'd8;
 
   logic at_work_q, drain_q;
-  logic [2:0] at_q, at_d;
+  logic [3:0] at_q, at_d;
   logic [29:0] number_q;  // of the record in its packet
   logic [1:0] row_q;
   logic [VW:0] vertex_q;
@@ -136,7 +148,8 @@ module receive #(
     at_d = at_q;
     case (at_q)
       AT_VIEW: at_d = AT_COUNTS;
-      AT_COUNTS: at_d = AT_MATRIX;
+      AT_COUNTS: at_d = AT_PICTURE;
+      AT_PICTURE: at_d = AT_MATRIX;
       AT_MATRIX: if (row_q == 2'd3) at_d = AT_VERTEX;
       AT_VERTEX: if (vertex_q + 1'b1 == vertices_o) at_d = AT_CORNER;
       AT_CORNER: if (halfedge_q + 1'b1 == halfedges_o) at_d = AT_END;
@@ -194,13 +207,13 @@ module receive #(
   ) i_verdict (
       .clk_i, .start_i, .take_i(take), .record_i(record), .number_i(number_q),
       .at_view_i(at_q == AT_VIEW), .at_counts_i(at_q == AT_COUNTS),
-      .at_matrix_i(at_q == AT_MATRIX), .at_vertex_i(at_q == AT_VERTEX),
-      .at_corner_i(at_q == AT_CORNER), .at_end_i(at_q == AT_END),
-      .at_behind_i(at_q == AT_BEHIND), .cut_i(cut_short), .limit_vertices_i, .limit_quads_i,
-      .vertices_i(vertices_o), .faces_i(faces_o), .halfedges_i(halfedges_o),
-      .halfedge_i(halfedge_q), .corner_i(corner_q), .face_i(face_q), .sides_i(sides_q),
-      .forced_i(forced_q), .overflow_i, .overflow_index_i, .overflow_row_i, .bad_o(bad),
-      .status_o, .position_o
+      .at_picture_i(at_q == AT_PICTURE), .at_matrix_i(at_q == AT_MATRIX),
+      .at_vertex_i(at_q == AT_VERTEX), .at_corner_i(at_q == AT_CORNER),
+      .at_end_i(at_q == AT_END), .at_behind_i(at_q == AT_BEHIND), .cut_i(cut_short),
+      .limit_vertices_i, .limit_quads_i, .vertices_i(vertices_o), .faces_i(faces_o),
+      .halfedges_i(halfedges_o), .halfedge_i(halfedge_q), .corner_i(corner_q), .face_i(face_q),
+      .sides_i(sides_q), .forced_i(forced_q), .overflow_i, .overflow_index_i, .overflow_row_i,
+      .bad_o(bad), .status_o, .position_o
   );
 
   assign cut_short = ends && at_d != AT_BEHIND && at_d != AT_DISCARD;
@@ -212,34 +225,24 @@ module receive #(
     if (rst_i) done_o <= 1'b0;
   end
 
-  // --- Header registers, and what goes to the neighbours.
+  // --- What the view is, and what goes to the neighbours.
 
-  logic store;
+  logic store, twinless;
   assign store = take && !bad;
+  assign twinless = record[63:32] == hs_pkg::BORDER;
+
+  receive_header #(
+      .VW(VW), .QW(QW)
+  ) i_header (
+      .clk_i, .start_i, .record_i(record), .store_i(store), .at_view_i(at_q == AT_VIEW),
+      .at_counts_i(at_q == AT_COUNTS), .at_picture_i(at_q == AT_PICTURE),
+      .at_matrix_i(at_q == AT_MATRIX), .at_corner_i(at_q == AT_CORNER), .uniform_o, .guard_o,
+      .limit_o, .kept_o, .corners_stay_o, .front_depth_o, .silhouette_depth_o, .uniform_depth_o,
+      .min_edge_o, .width_o, .height_o, .vertices_o, .faces_o, .halfedges_o, .matrix_o,
+      .forced_max_o, .closed_o, .boundary_count_o
+  );
 
   always_ff @(posedge clk_i) begin
-    if (store && at_q == AT_VIEW) begin
-      uniform_o  <= (record[95:64] & hs_pkg::FLAG_UNIFORM) != 32'd0;
-      guard_o    <= (record[95:64] & hs_pkg::FLAG_GUARD) != 32'd0;
-      vertices_o <= record[96+:VW+1];
-    end
-    if (store && at_q == AT_COUNTS) begin
-      faces_o <= record[0+:QW+1];
-      halfedges_o <= record[32+:QW+1];
-      front_depth_o <= record[71:64];
-      silhouette_depth_o <= record[79:72];
-      uniform_depth_o <= record[87:80];
-    end
-    if (store && at_q == AT_MATRIX) matrix_o <= {record, matrix_o[511:128]};
-    if (store && at_q == AT_CORNER) begin
-      if (record[79:72] > forced_max_o) forced_max_o <= record[79:72];
-      if (record[63:32] == hs_pkg::BORDER) closed_o <= 1'b0;
-    end
-    if (start_i) begin
-      forced_max_o <= 8'd0;
-      closed_o <= 1'b1;
-    end
-
     vertex_valid_o  <= store && at_q == AT_VERTEX;
     vertices_done_o <= store && at_q == AT_VERTEX && at_d == AT_CORNER;
     vertex_index_o  <= vertex_q[VW-1:0];
@@ -249,7 +252,10 @@ module receive #(
     corner_index_o  <= halfedge_q[QW-1:0];
     corner_origin_o <= record[VW-1:0];
     corner_twin_o   <= record[32+:QW];
-    corner_border_o <= record[63:32] == hs_pkg::BORDER;
+    corner_border_o <= twinless && kept_o;
+    corner_boundary_o <= twinless && !kept_o;
+    corner_sharpness_o <= twinless ? 4'd0 : record[99:96];
+    corner_own_o <= record[103:100];
     corner_forced_o <= record[79:72];
     corner_first_o  <= face_first;
     corner_last_o   <= face_last;
@@ -293,7 +299,7 @@ module receive #(
   assert property (@(posedge clk_i) disable iff (rst_i)
       corner_valid_o |-> {1'b0, corner_index_o} < limit_quads_i
       && {1'b0, corner_origin_o} < vertices_o
-      && (corner_border_o || {1'b0, corner_twin_o} < halfedges_o))
+      && (corner_border_o || corner_boundary_o || {1'b0, corner_twin_o} < halfedges_o))
   else $error("receive: a corner has no place in memory, or names what does not exist");
 `endif
 

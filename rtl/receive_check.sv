@@ -14,13 +14,14 @@ module receive_check #(
 ) (
     input logic [127:0] record_i,
 
-    input logic at_view_i,    // record 0: magic, version, flags, vertices
-    input logic at_counts_i,  // record 1: faces, half-edges, depths
+    input logic at_view_i,     // record 0: magic, version, flags, vertices
+    input logic at_counts_i,   // record 1: faces, half-edges, depths
+    input logic at_picture_i,  // record 2: least edge, picture
     input logic at_matrix_i,
     input logic at_vertex_i,
     input logic at_corner_i,
-    input logic at_end_i,     // the last record
-    input logic at_behind_i,  // there should be none
+    input logic at_end_i,      // the last record
+    input logic at_behind_i,   // there should be none
 
     input logic [VW:0] limit_vertices_i,
     input logic [QW:0] limit_quads_i,
@@ -53,11 +54,17 @@ module receive_check #(
 
   // --- Header. 3F needs two bits more than F.
 
-  logic counts_disagree, quads_exceeded, depth_bad;
+  localparam logic [31:0] MODES = hs_pkg::FLAG_SMOOTH | hs_pkg::FLAG_EDGE_ONLY;  // not both
+  localparam logic [31:0] FLAGS =
+      hs_pkg::FLAG_UNIFORM | hs_pkg::FLAG_GUARD | hs_pkg::FLAG_LIMIT | MODES;
+
+  logic flags_bad, counts_disagree, quads_exceeded, depth_bad, size_bad;
+  assign flags_bad = (w2 & ~FLAGS) != 32'd0 || (w2 & MODES) == MODES;
   assign counts_disagree = {2'd0, w1} < {1'b0, w0, 1'b0} + {2'd0, w0};
   assign quads_exceeded = w1 > 32'(limit_quads_i);
   assign depth_bad = w2[31:24] != 8'd0 || w2[7:0] > hs_pkg::MAX_DEPTH[7:0]
                      || w2[15:8] > hs_pkg::MAX_DEPTH[7:0] || w2[23:16] > hs_pkg::MAX_DEPTH[7:0];
+  assign size_bad = w0[15:0] != 16'd0 && (w1[15:0] == 16'd0 || w1[31:16] == 16'd0);
 
   // --- Matrix and vertices: an exponent of all ones is an infinity or not a number.
 
@@ -79,6 +86,14 @@ module receive_check #(
   assign face_bad = w2[31:24] != 8'd0 || w2[23:16] != corner_i
                     || (corner_i == 8'd0 ? first_bad : later_bad) || count_bad;
 
+  localparam logic [3:0] SHARPEST = hs_pkg::MAX_SHARPNESS[3:0];
+  localparam logic [3:0] INFINITE = hs_pkg::SHARP_INFINITE[3:0];
+
+  logic edge_bad, vertex_bad, sharpness_bad;
+  assign edge_bad = w3[3:0] > SHARPEST && w3[3:0] != INFINITE;
+  assign vertex_bad = w3[7:4] > SHARPEST && w3[7:4] != INFINITE;
+  assign sharpness_bad = w3[31:8] != 24'd0 || edge_bad || vertex_bad;
+
   // --- Which words are bad, and the status of each.
 
   logic [3:0] bad;
@@ -95,7 +110,7 @@ module receive_check #(
       status0 = hs_pkg::STATUS_BAD_MAGIC;
       bad[1] = w1 != hs_pkg::STREAM_VERSION;
       status1 = hs_pkg::STATUS_BAD_VERSION;
-      bad[2] = (w2 & ~(hs_pkg::FLAG_UNIFORM | hs_pkg::FLAG_GUARD)) != 32'd0;
+      bad[2] = flags_bad;
       status2 = hs_pkg::STATUS_BAD_FLAGS;
       bad[3] = w3 < 32'd3 || w3 > 32'(limit_vertices_i);
       status3 = w3 < 32'd3 ? hs_pkg::STATUS_BAD_COUNT : hs_pkg::STATUS_CAPACITY_VERTICES;
@@ -110,6 +125,16 @@ module receive_check #(
       bad[3] = w3 != 32'd0;
       status3 = hs_pkg::STATUS_BAD_RESERVED;
     end
+    if (at_picture_i) begin
+      bad[0] = w0[31:16] != 16'd0;
+      status0 = hs_pkg::STATUS_BAD_PIXELS;
+      bad[1] = size_bad;
+      status1 = hs_pkg::STATUS_BAD_PIXELS;
+      bad[2] = w2 != 32'd0;
+      status2 = hs_pkg::STATUS_BAD_RESERVED;
+      bad[3] = w3 != 32'd0;
+      status3 = hs_pkg::STATUS_BAD_RESERVED;
+    end
     if (at_matrix_i || at_vertex_i) bad = infinite;
     if (at_corner_i) begin
       bad[0] = w0 >= 32'(vertices_i);
@@ -118,8 +143,8 @@ module receive_check #(
       status1 = hs_pkg::STATUS_BAD_TWIN;
       bad[2] = face_bad;
       status2 = hs_pkg::STATUS_BAD_FACE;
-      bad[3] = w3 != 32'd0;
-      status3 = hs_pkg::STATUS_BAD_RESERVED;
+      bad[3] = sharpness_bad;
+      status3 = hs_pkg::STATUS_BAD_SHARPNESS;
     end
     if (at_end_i) begin
       bad[0] = w0 != hs_pkg::MAGIC_END;

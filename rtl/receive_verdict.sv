@@ -26,6 +26,7 @@ module receive_verdict #(
     input logic [ 29:0] number_i,     // records before it
     input logic         at_view_i,
     input logic         at_counts_i,
+    input logic         at_picture_i,
     input logic         at_matrix_i,
     input logic         at_vertex_i,
     input logic         at_corner_i,
@@ -68,8 +69,8 @@ module receive_verdict #(
   receive_check #(
       .VERTICES(VERTICES), .QUADS(QUADS)
   ) i_check (
-      .record_i, .at_view_i, .at_counts_i, .at_matrix_i, .at_vertex_i, .at_corner_i, .at_end_i,
-      .at_behind_i, .limit_vertices_i, .limit_quads_i, .vertices_i, .faces_i, .halfedges_i,
+      .record_i, .at_view_i, .at_counts_i, .at_picture_i, .at_matrix_i, .at_vertex_i, .at_corner_i,
+      .at_end_i, .at_behind_i, .limit_vertices_i, .limit_quads_i, .vertices_i, .faces_i, .halfedges_i,
       .halfedge_i, .corner_i, .face_i, .sides_i, .forced_i, .crc_i(crc_q), .bad_o(check_bad),
       .word_o(bad_word), .status_o(bad_status)
   );
