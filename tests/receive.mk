@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # The receive stage on its own, for each width of the port: build/test_receive.
 
-RECEIVE_SV    := $(addprefix rtl/,hs_pkg.sv crc32.sv unpack.sv receive_check.sv receive_verdict.sv receive.sv)
+RECEIVE_SV    := $(addprefix rtl/,hs_pkg.sv crc32.sv unpack.sv receive_check.sv receive_header.sv \
+                 receive_verdict.sv receive.sv)
 RECEIVE_PORTS := 1 2 4
 RECEIVE_DIR   := $(BUILD)/receive
 RECEIVE_LIB   := $(foreach p,$(RECEIVE_PORTS),$(RECEIVE_DIR)/$p/Vreceive$p__ALL.a)

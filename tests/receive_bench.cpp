@@ -119,12 +119,17 @@ template <typename Top, uint32_t RECORDS> struct Bench : receive_bench {
             uint32_t i = top->corner_index_o;
             r->not_in_order += i != r->corners_stored;
             r->corner[i] = {top->corner_origin_o,
-                            top->corner_border_o ? static_cast<uint32_t>(HS_BORDER)
-                                                 : static_cast<uint32_t>(top->corner_twin_o),
+                            top->corner_border_o || top->corner_boundary_o
+                                ? static_cast<uint32_t>(HS_BORDER)
+                                : static_cast<uint32_t>(top->corner_twin_o),
                             top->corner_face_o,
                             top->corner_forced_o,
                             top->corner_first_o,
-                            top->corner_last_o};
+                            top->corner_last_o,
+                            top->corner_border_o,
+                            top->corner_boundary_o,
+                            top->corner_sharpness_o,
+                            top->corner_own_o};
             r->corners_stored++;
         }
         r->busy += top->busy_o;
@@ -140,14 +145,21 @@ template <typename Top, uint32_t RECORDS> struct Bench : receive_bench {
         r->view = top->view_o;
         r->uniform = top->uniform_o;
         r->guard = top->guard_o;
+        r->limit = top->limit_o;
+        r->kept = top->kept_o;
+        r->corners_stay = top->corners_stay_o;
         r->front_depth = top->front_depth_o;
         r->silhouette_depth = top->silhouette_depth_o;
         r->uniform_depth = top->uniform_depth_o;
+        r->min_edge = top->min_edge_o;
+        r->width = top->width_o;
+        r->height = top->height_o;
         r->vertices = top->vertices_o;
         r->faces = top->faces_o;
         r->halfedges = top->halfedges_o;
         r->forced_max = top->forced_max_o;
         r->closed = top->closed_o;
+        r->boundary_count = top->boundary_count_o;
         for (int i = 0; i < 16; i++)
             r->matrix[i] = top->matrix_o[i];
     }

@@ -19,6 +19,8 @@ enum { RECEIVE_VERTICES = 512, RECEIVE_QUADS = 1024 };
 typedef struct receive_corner {
     uint32_t origin, twin, face; /* twin: HS_BORDER if it has none */
     uint8_t forced, first, last;
+    uint8_t border, boundary;
+    uint8_t sharpness, own; /* of the edge, of the vertex */
 } receive_corner;
 
 /* How a packet is sent. */
@@ -34,8 +36,9 @@ typedef struct receive_send {
 /* What came of it, sampled in the cycle of done_o. */
 typedef struct receive_result {
     uint32_t status, position, view;
-    uint32_t uniform, guard, front_depth, silhouette_depth, uniform_depth;
-    uint32_t vertices, faces, halfedges, forced_max, closed;
+    uint32_t uniform, guard, limit, kept, corners_stay;
+    uint32_t front_depth, silhouette_depth, uniform_depth, min_edge, width, height;
+    uint32_t vertices, faces, halfedges, forced_max, closed, boundary_count;
     uint32_t matrix[16];
     uint32_t vertices_stored, corners_stored, vertices_done; /* how many pulses */
     uint32_t vertex[RECEIVE_VERTICES][4];

@@ -25,7 +25,24 @@ static const receive_send plainly = {
 
 /* --- Packets ---------------------------------------------------------------------------------- */
 
-/* The half-edge structure of a face list with made-up positions, and a forced depth on face 1. */
+/* Words: where the matrix and the vertices begin. */
+enum { MATRIX = 12, VERTEX = 28 };
+
+static void mend_crc(hs_packet *packet) {
+    packet->word[packet->words - 1] = hs_crc(0, packet->word, packet->words - 4);
+}
+
+/* Sharpnesses of every kind: of each edge the same on both sides, of the vertices any. */
+static void sharpen(hs_packet *packet) {
+    static const uint32_t kinds[] = {0, 1, 5, 8, 9, 15};
+    uint32_t *c = packet->word + VERTEX + 4 * (size_t)packet->word[3];
+    for (uint32_t h = 0; h < packet->word[5]; h++, c += 4)
+        c[3] = kinds[(c[1] < h ? c[1] : h) % 6] | kinds[h / 2 % 6] << 4;
+    mend_crc(packet);
+}
+
+/* The half-edge structure of a face list with made-up positions and sharpnesses, and a forced depth
+ * on face 1. */
 static hs_packet packet_of(uint32_t vertices, uint32_t faces, const uint32_t *sides,
                            const uint32_t *corner) {
     float *position = calloc((size_t)vertices * 4, sizeof *position);
@@ -45,23 +62,29 @@ static hs_packet packet_of(uint32_t vertices, uint32_t faces, const uint32_t *si
     float matrix[16];
     for (int i = 0; i < 16; i++)
         matrix[i] = (float)(i % 5) - 1.5f;
-    hs_settings settings = {
-        .front_depth = 4, .silhouette_depth = 8, .uniform_depth = 250, .guard = true};
+    hs_settings settings = {.front_depth = 4,
+                            .silhouette_depth = 8,
+                            .uniform_depth = 250,
+                            .guard = true,
+                            .min_edge = 24,
+                            .width = 0xfedc,
+                            .height = 480};
     hs_packet packet = {0};
     assert_true(hs_packet_encode(&packet, 0xabcd, &mesh, matrix, &settings, &err));
     hs_mesh_free(&mesh);
     free(position);
+    sharpen(&packet);
     return packet;
 }
 
-/* Closed, with faces of 4 and 3 sides: V = 5, F = 5, H = 16, 28 records. */
+/* Closed, with faces of 4 and 3 sides: V = 5, F = 5, H = 16, 29 records. */
 static hs_packet pyramid(void) {
     static const uint32_t sides[] = {4, 3, 3, 3, 3};
     static const uint32_t corner[] = {0, 3, 2, 1, 0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4};
     return packet_of(5, 5, sides, corner);
 }
 /* Where its parts begin, in words. */
-enum { PYRAMID_VERTEX = 24, PYRAMID_CORNER = 44, PYRAMID_END = 108 };
+enum { PYRAMID_CORNER = 48, PYRAMID_END = 112, PYRAMID_WORDS = 116 };
 
 /* Closed, V = 8, F = 6, H = 24: room for a face count that is too high. */
 static hs_packet cube(void) {
@@ -88,10 +111,6 @@ static hs_packet pillow(void) {
     return packet_of(255, 2, sides, corner);
 }
 
-static void mend_crc(hs_packet *packet) {
-    packet->word[packet->words - 1] = hs_crc(0, packet->word, packet->words - 4);
-}
-
 /* --- Expectations ----------------------------------------------------------------------------- */
 
 static receive_result result; /* large; filled anew by every run */
@@ -106,21 +125,27 @@ static void assert_taken_apart(const hs_packet *packet, const receive_result *r)
     assert_int_equal(r->view, packet->view);
     assert_int_equal(r->uniform, w[2] & 1);
     assert_int_equal(r->guard, w[2] >> 1 & 1);
+    assert_int_equal(r->limit, w[2] >> 2 & 1);
+    assert_int_equal(r->corners_stay, w[2] >> 3 & 1);
+    assert_int_equal(r->kept, (w[2] >> 3 & 3) == 0);
     assert_int_equal(r->vertices, w[3]);
     assert_int_equal(r->faces, w[4]);
     assert_int_equal(r->halfedges, w[5]);
     assert_int_equal(r->front_depth, w[6] & 0xff);
     assert_int_equal(r->silhouette_depth, w[6] >> 8 & 0xff);
     assert_int_equal(r->uniform_depth, w[6] >> 16 & 0xff);
-    assert_memory_equal(r->matrix, w + 8, sizeof r->matrix);
+    assert_int_equal(r->min_edge, w[8]);
+    assert_int_equal(r->width, w[9] & 0xffff);
+    assert_int_equal(r->height, w[9] >> 16);
+    assert_memory_equal(r->matrix, w + MATRIX, sizeof r->matrix);
     assert_int_equal(r->not_in_order, 0);
     assert_int_equal(r->vertices_done, 1);
     assert_int_equal(r->vertices_stored, w[3]);
-    assert_memory_equal(r->vertex, w + 24, (size_t)w[3] * 16);
+    assert_memory_equal(r->vertex, w + VERTEX, (size_t)w[3] * 16);
     assert_int_equal(r->corners_stored, w[5]);
 
-    uint32_t face = 0, forced_max = 0, closed = 1;
-    const uint32_t *c = w + 24 + 4 * (size_t)w[3];
+    uint32_t face = 0, forced_max = 0, twinless = 0;
+    const uint32_t *c = w + VERTEX + 4 * (size_t)w[3];
     for (uint32_t h = 0; h < w[5]; h++, c += 4) {
         const receive_corner *corner = &r->corner[h];
         uint32_t sides = c[2] & 0xff, forced = c[2] >> 8 & 0xff, number = c[2] >> 16;
@@ -130,12 +155,17 @@ static void assert_taken_apart(const hs_packet *packet, const receive_result *r)
         assert_int_equal(corner->forced, forced);
         assert_int_equal(corner->first, number == 0);
         assert_int_equal(corner->last, number + 1 == sides);
+        assert_int_equal(corner->border, c[1] == HS_BORDER && r->kept);
+        assert_int_equal(corner->boundary, c[1] == HS_BORDER && !r->kept);
+        assert_int_equal(corner->sharpness, c[1] == HS_BORDER ? 0 : c[3] & 15);
+        assert_int_equal(corner->own, c[3] >> 4);
         face += number + 1 == sides;
         if (forced > forced_max) forced_max = forced;
-        if (c[1] == HS_BORDER) closed = 0;
+        twinless += c[1] == HS_BORDER;
     }
     assert_int_equal(r->forced_max, forced_max);
-    assert_int_equal(r->closed, closed);
+    assert_int_equal(r->closed, twinless == 0);
+    assert_int_equal(r->boundary_count, r->kept ? 0 : twinless);
 }
 
 /* Every cycle has one activity at most, and every record goes in and out once. */
@@ -216,13 +246,37 @@ static void a_record_is_taken_in_every_cycle(void **state) {
     hs_packet_free(&packet);
 }
 
+/* Of a closed mesh and of one with a boundary only. */
 static void flags_and_depths_come_through(void **state) {
     (void)state;
-    hs_packet packet = pyramid();
+    hs_packet packet[] = {pyramid(), triangle()};
     receive_bench *bench = receive_bench_new(4, 3);
-    for (uint32_t flags = 0; flags < 4; flags++) {
-        packet.word[2] = flags;
-        packet.word[6] = 0xfa | flags << 8 | (250 - flags) << 16;
+    for (uint32_t round = 0; round < 2 * 24; round++) {
+        hs_packet *one = &packet[round % 2];
+        uint32_t flags = round / 2; /* up to 23, so that not both modes are set */
+        one->word[2] = flags;
+        one->word[6] = 0xfa | flags << 8 | (250 - flags) << 16;
+        mend_crc(one);
+        receive_bench_run(bench, one, &plainly, &result);
+        assert_taken_apart(one, &result);
+    }
+    receive_bench_free(bench);
+    for (size_t i = 0; i < 2; i++)
+        hs_packet_free(&packet[i]);
+}
+
+static void least_edge_and_picture_come_through(void **state) {
+    (void)state;
+    static const uint32_t words[][2] = {{0, 0},
+                                        {0, 640},
+                                        {0, 480u << 16},
+                                        {1, 0x10001},
+                                        {0xffff, 0xffffffff},
+                                        {0x8001, 0x80010002}};
+    hs_packet packet = pyramid();
+    receive_bench *bench = receive_bench_new(1, 3);
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
+        memcpy(packet.word + 8, words[i], sizeof *words);
         mend_crc(&packet);
         receive_bench_run(bench, &packet, &plainly, &result);
         assert_taken_apart(&packet, &result);
@@ -231,13 +285,44 @@ static void flags_and_depths_come_through(void **state) {
     hs_packet_free(&packet);
 }
 
+static bool good_sharpness(uint32_t s) {
+    return s <= 9 || s == 15;
+}
+
+/* All 256 pairs of sharpnesses, on a corner with a twin and on one without. */
+static void sharpnesses_are_0_to_9_or_15(void **state) {
+    (void)state;
+    hs_packet packet[] = {pyramid(), triangle()};
+    const size_t w3[] = {PYRAMID_CORNER + 4 * 6 + 3, VERTEX + 4 * (3 + 1) + 3};
+    receive_bench *bench = receive_bench_new(2, 3);
+    uint32_t refused = 0;
+    for (uint32_t i = 0; i < 2 * 256; i++) {
+        hs_packet *one = &packet[i % 2];
+        uint32_t value = i / 2;
+        one->word[w3[i % 2]] = value;
+        mend_crc(one);
+        receive_bench_run(bench, one, &plainly, &result);
+        if (good_sharpness(value & 15) && good_sharpness(value >> 4)) {
+            assert_taken_apart(one, &result);
+        } else {
+            assert_string_equal(hs_status_name(result.status), "BAD_SHARPNESS");
+            assert_int_equal(result.position, w3[i % 2]);
+            refused++;
+        }
+    }
+    assert_int_equal(refused, 2 * (256 - 11 * 11));
+    receive_bench_free(bench);
+    for (size_t i = 0; i < 2; i++)
+        hs_packet_free(&packet[i]);
+}
+
 static void tlast_may_come_in_an_empty_beat(void **state) {
     (void)state;
     receive_send send = plainly;
     send.empty_beat = true;
     for (size_t p = 0; p < 3; p++) {
         receive_bench *bench = receive_bench_new(ports[p], 5);
-        hs_packet packet = pyramid(); /* 28 records fill the beats of every width */
+        hs_packet packet = cube(); /* 40 records fill the beats of every width */
         receive_bench_run(bench, &packet, &send, &result);
         assert_taken_apart(&packet, &result);
         packet.words = 4 * 12;
@@ -276,7 +361,9 @@ static void a_bad_header_word_is_named(void **state) {
         {0, 0x45325348, HS_STATUS_BAD_MAGIC, 0},
         {1, 0, HS_STATUS_BAD_VERSION, 1},
         {1, 0x10001, HS_STATUS_BAD_VERSION, 1},
-        {2, 4, HS_STATUS_BAD_FLAGS, 2},
+        {2, 32, HS_STATUS_BAD_FLAGS, 2},
+        {2, 24, HS_STATUS_BAD_FLAGS, 2},
+        {2, 31, HS_STATUS_BAD_FLAGS, 2},
         {2, 0x80000003, HS_STATUS_BAD_FLAGS, 2},
         {3, 0, HS_STATUS_BAD_COUNT, 3},
         {3, 2, HS_STATUS_BAD_COUNT, 3},
@@ -296,13 +383,22 @@ static void a_bad_header_word_is_named(void **state) {
         {6, 1u << 31, HS_STATUS_BAD_DEPTH, 6},
         {7, 1, HS_STATUS_BAD_RESERVED, 7},
         {7, 0x80000000, HS_STATUS_BAD_RESERVED, 7},
+        {8, 0x10000, HS_STATUS_BAD_PIXELS, 8},
+        {8, 0x80000018, HS_STATUS_BAD_PIXELS, 8},
+        {9, 0, HS_STATUS_BAD_PIXELS, 9},
+        {9, 640, HS_STATUS_BAD_PIXELS, 9},
+        {9, 480u << 16, HS_STATUS_BAD_PIXELS, 9},
+        {10, 1, HS_STATUS_BAD_RESERVED, 10},
+        {10, 0x80000000, HS_STATUS_BAD_RESERVED, 10},
+        {11, 1, HS_STATUS_BAD_RESERVED, 11},
+        {11, 0x80000000, HS_STATUS_BAD_RESERVED, 11},
     };
     ASSERT_CORRUPTIONS(pyramid, table);
 }
 
 static void a_number_that_is_not_finite_is_named(void **state) {
     (void)state;
-    for (uint32_t word = 8; word < PYRAMID_CORNER; word++) {
+    for (uint32_t word = MATRIX; word < PYRAMID_CORNER; word++) {
         const struct corruption table[] = {
             {word, INFINITE, HS_STATUS_BAD_NUMBER, word},
             {word, NOT_A_NUMBER, HS_STATUS_BAD_NUMBER, word},
@@ -343,8 +439,10 @@ static void a_bad_corner_word_is_named(void **state) {
         /* the bits above */
         {CORNER(0, 2), 0x01000004, HS_STATUS_BAD_FACE, CORNER(0, 2)},
         {CORNER(3, 2), 0x80030004, HS_STATUS_BAD_FACE, CORNER(3, 2)},
-        {CORNER(0, 3), 1, HS_STATUS_BAD_RESERVED, CORNER(0, 3)},
-        {CORNER(15, 3), 0x80000000, HS_STATUS_BAD_RESERVED, CORNER(15, 3)},
+        {CORNER(0, 3), 10, HS_STATUS_BAD_SHARPNESS, CORNER(0, 3)},
+        {CORNER(7, 3), 0xe0, HS_STATUS_BAD_SHARPNESS, CORNER(7, 3)},
+        {CORNER(0, 3), 0x100, HS_STATUS_BAD_SHARPNESS, CORNER(0, 3)},
+        {CORNER(15, 3), 0x80000000, HS_STATUS_BAD_SHARPNESS, CORNER(15, 3)},
         /* one face less in the header: the fifth is one too many */
         {4, 4, HS_STATUS_BAD_FACE, CORNER(13, 2)},
         /* one half-edge less, or more */
@@ -357,8 +455,8 @@ static void a_bad_corner_word_is_named(void **state) {
 static void a_face_too_few_is_found_at_the_last_corner(void **state) {
     (void)state;
     static const struct corruption table[] = {
-        {4, 7, HS_STATUS_BAD_FACE, 24 + 32 + 4 * 23 + 2},
-        {4, 8, HS_STATUS_BAD_FACE, 24 + 32 + 4 * 23 + 2},
+        {4, 7, HS_STATUS_BAD_FACE, VERTEX + 32 + 4 * 23 + 2},
+        {4, 8, HS_STATUS_BAD_FACE, VERTEX + 32 + 4 * 23 + 2},
     };
     ASSERT_CORRUPTIONS(cube, table);
 }
@@ -377,7 +475,7 @@ static void a_bad_trailer_word_is_named(void **state) {
 static void a_flipped_bit_anywhere_is_found(void **state) {
     (void)state;
     receive_bench *bench = receive_bench_new(2, 9);
-    for (uint32_t bit = 0; bit < 112 * 32; bit += 5) {
+    for (uint32_t bit = 0; bit < PYRAMID_WORDS * 32; bit += 5) {
         hs_packet packet = pyramid();
         packet.word[bit / 32] ^= 1u << bit % 32;
         receive_bench_run(bench, &packet, &plainly, &result);
@@ -394,11 +492,11 @@ static void nothing_is_stored_behind_an_error(void **state) {
     for (size_t p = 0; p < 3; p++) {
         receive_bench *bench = receive_bench_new(ports[p], 4);
         hs_packet packet = pyramid();
-        packet.word[CORNER(9, 3)] = 1;
+        packet.word[CORNER(9, 3)] = 0x100;
         receive_bench_run(bench, &packet, &plainly, &result);
         assert_int_equal(result.vertices_stored, 5);
         assert_int_equal(result.corners_stored, 9);
-        packet.word[PYRAMID_VERTEX + 4 * 2 + 3] = INFINITE;
+        packet.word[VERTEX + 4 * 2 + 3] = INFINITE;
         receive_bench_run(bench, &packet, &plainly, &result);
         assert_int_equal(result.vertices_stored, 2);
         assert_int_equal(result.vertices_done, 0);
@@ -410,7 +508,7 @@ static void nothing_is_stored_behind_an_error(void **state) {
 
 static void a_packet_cut_short_anywhere_is_found(void **state) {
     (void)state;
-    for (size_t words = 4; words < 112; words += 4) {
+    for (size_t words = 4; words < PYRAMID_WORDS; words += 4) {
         hs_packet packet = pyramid();
         packet.words = words;
         assert_refused(&packet, HS_STATUS_TRUNCATED, words);
@@ -425,7 +523,7 @@ static void a_packet_that_goes_on_is_found(void **state) {
         hs_packet behind = pyramid(); /* what looks like a packet is none before TLAST */
         hs_error err = {0};
         assert_true(hs_packet_append(&packet, behind.word, more, &err));
-        assert_refused(&packet, HS_STATUS_TOO_LONG, 112);
+        assert_refused(&packet, HS_STATUS_TOO_LONG, PYRAMID_WORDS);
         packet.word[PYRAMID_END + 3] ^= 1;
         assert_refused(&packet, HS_STATUS_BAD_CRC, PYRAMID_END + 3);
         hs_packet_free(&packet);
@@ -440,9 +538,9 @@ static void a_packet_that_goes_on_is_found(void **state) {
 static hs_packet overflowing(uint32_t v, uint32_t row) {
     hs_packet packet = pyramid();
     for (uint32_t i = 0; i < 16; i++)
-        packet.word[8 + i] = i == 5 * row ? HUGE : 0;
+        packet.word[MATRIX + i] = i == 5 * row ? HUGE : 0;
     for (uint32_t i = 0; i < 20; i++)
-        packet.word[PYRAMID_VERTEX + i] = i == 4 * v + row ? HUGE : 0x3f800000;
+        packet.word[VERTEX + i] = i == 4 * v + row ? HUGE : 0x3f800000;
     mend_crc(&packet);
     return packet;
 }
@@ -452,7 +550,7 @@ static void an_overflow_is_named_by_vertex_and_row(void **state) {
     for (uint32_t v = 0; v < 5; v++)
         for (uint32_t row = 0; row < 4; row++) {
             hs_packet packet = overflowing(v, row);
-            assert_refused(&packet, HS_STATUS_OVERFLOW, PYRAMID_VERTEX + 4 * v + row);
+            assert_refused(&packet, HS_STATUS_OVERFLOW, VERTEX + 4 * v + row);
             hs_packet_free(&packet);
         }
 }
@@ -460,12 +558,12 @@ static void an_overflow_is_named_by_vertex_and_row(void **state) {
 static void an_overflow_wins_over_errors_behind_it(void **state) {
     (void)state;
     hs_packet packet = overflowing(3, 1);
-    const uint32_t position = PYRAMID_VERTEX + 4 * 3 + 1;
+    const uint32_t position = VERTEX + 4 * 3 + 1;
     packet.word[CORNER(0, 0)] = 99; /* found 7 cycles earlier */
     assert_refused(&packet, HS_STATUS_OVERFLOW, position);
-    packet.word[PYRAMID_VERTEX + 4 * 4] = INFINITE;
+    packet.word[VERTEX + 4 * 4] = INFINITE;
     assert_refused(&packet, HS_STATUS_OVERFLOW, position);
-    packet.words = PYRAMID_VERTEX + 4 * 4; /* TLAST on the vertex itself */
+    packet.words = VERTEX + 4 * 4; /* TLAST on the vertex itself */
     assert_refused(&packet, HS_STATUS_OVERFLOW, position);
     hs_packet_free(&packet);
 }
@@ -473,17 +571,17 @@ static void an_overflow_wins_over_errors_behind_it(void **state) {
 static void the_first_of_two_overflows_wins(void **state) {
     (void)state;
     hs_packet packet = overflowing(1, 2);
-    packet.word[PYRAMID_VERTEX + 4 * 2 + 2] = HUGE;
-    packet.word[PYRAMID_VERTEX + 4 * 4 + 2] = HUGE;
-    assert_refused(&packet, HS_STATUS_OVERFLOW, PYRAMID_VERTEX + 4 * 1 + 2);
+    packet.word[VERTEX + 4 * 2 + 2] = HUGE;
+    packet.word[VERTEX + 4 * 4 + 2] = HUGE;
+    assert_refused(&packet, HS_STATUS_OVERFLOW, VERTEX + 4 * 1 + 2);
     hs_packet_free(&packet);
 }
 
 static void an_error_wins_over_overflows_behind_it(void **state) {
     (void)state;
     hs_packet packet = overflowing(3, 1);
-    packet.word[PYRAMID_VERTEX + 4 * 2 + 3] = NOT_A_NUMBER;
-    assert_refused(&packet, HS_STATUS_BAD_NUMBER, PYRAMID_VERTEX + 4 * 2 + 3);
+    packet.word[VERTEX + 4 * 2 + 3] = NOT_A_NUMBER;
+    assert_refused(&packet, HS_STATUS_BAD_NUMBER, VERTEX + 4 * 2 + 3);
     hs_packet_free(&packet);
 }
 
@@ -514,14 +612,16 @@ static void a_limit_refuses_the_first_count_above_it(void **state) {
  */
 
 /* What receive should say of a packet of which golden says this: golden's later checks (twins
- * that do not point back, valence) and its refinement are not receive's. */
+ * that do not point back or differ in sharpness, valence) and its refinement are not receive's. */
 static uint32_t receive_status(const hs_packet *packet, const hs_golden_report *g) {
     if (g->status == HS_STATUS_STOPPED || g->status == HS_STATUS_BAD_VALENCE) return HS_STATUS_OK;
-    if (g->status != HS_STATUS_BAD_TWIN) return g->status;
-    const uint32_t halfedges = packet->word[5], twin = packet->word[g->error_position];
-    const uint32_t h = (g->error_position - 24 - 4 * packet->word[3]) / 4;
-    bool local = twin != HS_BORDER && (twin >= halfedges || twin == h);
-    return local ? HS_STATUS_BAD_TWIN : HS_STATUS_OK;
+    if (g->status != HS_STATUS_BAD_TWIN && g->status != HS_STATUS_BAD_SHARPNESS) return g->status;
+    const uint32_t word = packet->word[g->error_position], halfedges = packet->word[5];
+    const uint32_t h = (g->error_position - VERTEX - 4 * packet->word[3]) / 4;
+    bool local = g->status == HS_STATUS_BAD_TWIN
+                     ? word != HS_BORDER && (word >= halfedges || word == h)
+                     : word >> 8 || !good_sharpness(word & 15) || !good_sharpness(word >> 4);
+    return local ? g->status : HS_STATUS_OK;
 }
 
 static void mutated_packets_get_goldens_verdict(void **state) {
@@ -578,6 +678,8 @@ int main(void) {
         cmocka_unit_test(a_good_packet_is_taken_apart_whatever_the_pauses),
         cmocka_unit_test(a_record_is_taken_in_every_cycle),
         cmocka_unit_test(flags_and_depths_come_through),
+        cmocka_unit_test(least_edge_and_picture_come_through),
+        cmocka_unit_test(sharpnesses_are_0_to_9_or_15),
         cmocka_unit_test(tlast_may_come_in_an_empty_beat),
         cmocka_unit_test(a_bad_header_word_is_named),
         cmocka_unit_test(a_number_that_is_not_finite_is_named),
