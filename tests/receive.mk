@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# The receive stage on its own, for each width of the port: build/test_receive.
+# The receive stage on its own, for each width of the port: build/test_receive, and _hostile.
 
 RECEIVE_SV    := $(addprefix rtl/,hs_pkg.sv crc32.sv unpack.sv receive_check.sv receive_header.sv \
                  receive_verdict.sv receive.sv)
@@ -21,6 +21,6 @@ $(RECEIVE_DIR)/receive_bench.o: tests/receive_bench.cpp tests/receive_bench.h $(
 	$(CXX) $(CXXFLAGS) $(addprefix -I$(RECEIVE_DIR)/,$(RECEIVE_PORTS)) \
 	    -isystem $$(verilator --getenv VERILATOR_ROOT)/include -c $< -o $@
 
-$(BUILD)/test_receive: $(BUILD)/tests/test_receive.o $(RECEIVE_DIR)/receive_bench.o $(RECEIVE_LIB) \
-    $(RECEIVE_RUN) $(BUILD)/libhalfstep.a
+$(BUILD)/test_receive $(BUILD)/test_receive_hostile: $(BUILD)/test_%: $(BUILD)/tests/test_%.o \
+    $(RECEIVE_DIR)/receive_bench.o $(RECEIVE_LIB) $(RECEIVE_RUN) $(BUILD)/libhalfstep.a
 	$(CXX) $^ -o $@ -lcmocka -lm -lz -pthread
