@@ -2,7 +2,8 @@
 //
 // What the stages of one generation leave for each other, by face and by item.
 //
-//   point     the new vertex's position, and the face's front mark; written by classify
+//   point     the new vertex's position, the face's front mark, and whether it stops; written by
+//             classify
 //   selected  written by select
 //   verdict   {refined, selected, number} per item; written by guard. Twice: in banks for split's
 //             look beyond a twin, and in order for the item itself
@@ -25,6 +26,7 @@ module face_memory #(
     input  logic [QW-1:0] point_wr_face_i,
     input  logic [ 127:0] point_wr_data_i,
     input  logic          point_wr_front_i,
+    input  logic          point_wr_stop_i,
     input  logic          selected_wr_en_i,
     input  logic [QW-1:0] selected_wr_face_i,
     input  logic          selected_wr_data_i,
@@ -32,6 +34,7 @@ module face_memory #(
     input  logic [QW-1:0] face_rd_i,
     output logic [ 127:0] point_o,
     output logic          front_o,
+    output logic          stop_o,
     output logic          selected_o,
 
     // by item
@@ -57,17 +60,17 @@ module face_memory #(
   endfunction
 
   banked_memory #(
-      .WIDTH(129),
+      .WIDTH(130),
       .ROW_BITS(QW),
       .BANK_BITS(0)
   ) u_point (
       .clk_i,
       .rd_en_i(face_rd_en_i),
       .rd_row_i(face_rd_i),
-      .rd_data_o({front_o, point_o}),
+      .rd_data_o({stop_o, front_o, point_o}),
       .wr_en_i(point_wr_en_i),
       .wr_row_i(point_wr_face_i),
-      .wr_data_i({point_wr_front_i, point_wr_data_i})
+      .wr_data_i({point_wr_stop_i, point_wr_front_i, point_wr_data_i})
   );
 
   banked_memory #(

@@ -33,6 +33,7 @@ rtl/scatter.sv
 rtl/select.sv
 rtl/sequencer.sv
 rtl/sharpness.sv
+rtl/short_edges.sv
 rtl/smooth.sv
 rtl/split.sv
 rtl/split_faces.sv

@@ -3,8 +3,8 @@
 // select: which active faces the view wants refined; it names their vertices as chosen.
 //
 //   selected = candidate and (wanted or g < forced)
-//   wanted   = in_view and (front and g < front_depth
-//                           or a silhouette vertex and g < silhouette_depth)
+//   wanted   = in_view and not stop and (front and g < front_depth
+//                                        or a silhouette vertex and g < silhouette_depth)
 //
 //   * start_i for one cycle with items_i: corners in generation 0 (quads_i low), quads later. The
 //     settings hold until active_o falls.
@@ -30,15 +30,17 @@ module select #(
     output logic        active_o,
     output logic [QW:0] selected_o,
 
-    // record memory, lane 0 only in generation 0; face memory
+    // record memory, lane 0 only in generation 0, lanes 0 to 2 of a half-quad; face memory
     output logic            record_rd_en_o,
     output logic [  QW-1:0] record_rd_item_o,
     output logic [  QW-1:0] record_rd_face_o,
     input  logic [4*VW-1:0] record_origin_i,
+    input  logic            record_half_i,
     input  logic            record_candidate_i,
     input  logic [     7:0] record_forced_i,
     input  logic            record_last_i,
     input  logic            face_front_i,
+    input  logic            face_stop_i,
 
     // mark memory: {tag, sent, border, hits, back, front}
     output logic [              (1<<BANK_BITS)-1:0] mark_rd_en_o,
@@ -64,9 +66,13 @@ module select #(
 );
 
   // --- Fetch and gather -----------------------------------------------------------------------------
-  // {last, wanted if front and in view, wanted if silhouette and in view, selected anyway, candidate,
+  // {last, wanted if in view, wanted if silhouette and in view, selected anyway, candidate, half,
   // origins}: what the face itself decides is decided here.
-  localparam int unsigned ITEM = 1 + 4 + 4 * VW;
+  localparam int unsigned ITEM = 1 + 5 + 4 * VW;
+
+  function automatic logic [3:0] lanes_of(input logic quads, input logic half);
+    lanes_of = !quads ? 4'b0001 : half ? 4'b0111 : 4'b1111;
+  endfunction
 
   logic fetch_valid, fetch_ready, fetch_active, stall;
   logic gather_valid, gather_active;
@@ -106,13 +112,14 @@ module select #(
       .in_ready_o(fetch_ready),
       .in_item_i({
         record_last_i,
-        face_front_i && generation_i < front_depth_i,
-        generation_i < silhouette_depth_i,
+        !face_stop_i && face_front_i && generation_i < front_depth_i,
+        !face_stop_i && generation_i < silhouette_depth_i,
         generation_i < record_forced_i,
         record_candidate_i,
+        record_half_i,
         record_origin_i
       }),
-      .in_mask_i(quads_i ? 4'b1111 : 4'b0001),
+      .in_mask_i(lanes_of(quads_i, record_half_i)),
       .in_index_i(record_origin_i),
       .rd_en_o(mark_rd_en_o),
       .rd_row_o(mark_rd_row_o),
@@ -126,15 +133,17 @@ module select #(
 
   // --- The verdict ------------------------------------------------------------------------------------
   logic in_view, silhouette, in_view_q, silhouette_q, first_q;  // _q: of an n-gon's corners so far
-  logic last, by_front, by_silhouette, by_force, candidate, verdict;
+  logic last, by_front, by_silhouette, by_force, candidate, half, verdict;
+  logic [3:0] lanes;
 
-  assign {last, by_front, by_silhouette, by_force, candidate} = gather_item[ITEM-1:4*VW];
+  assign {last, by_front, by_silhouette, by_force, candidate, half} = gather_item[ITEM-1:4*VW];
+  assign lanes = lanes_of(quads_i, half);
 
   always_comb begin
     in_view = !first_q && in_view_q;
     silhouette = !first_q && silhouette_q;
     for (int i = 0; i < 4; i++)
-      if (i == 0 || quads_i) begin
+      if (lanes[i]) begin
         in_view = in_view || gather_data[i*13+2];
         silhouette = silhouette || gather_data[i*13+:2] == 2'b11;
       end
@@ -167,12 +176,12 @@ module select #(
   assign selected_o = selected_q;
 
   // --- Fold: the corners of selected faces are chosen ---------------------------------------------------
-  logic fold_valid, fold_ready, fold_active, fold_verdict, scatter_active;
+  logic fold_valid, fold_ready, fold_active, fold_verdict, fold_half, scatter_active;
   logic [4*VW-1:0] fold_origin;
 
   /* verilator lint_off PINCONNECTEMPTY */
   fold #(
-      .ITEM_WIDTH(4 * VW),
+      .ITEM_WIDTH(4 * VW + 1),
       .RESULT_WIDTH(1)
   ) u_fold (
       .clk_i,
@@ -180,13 +189,13 @@ module select #(
       .stall_o(stall),
       .item_valid_i(gather_valid),
       .item_last_i(last),
-      .item_i(gather_item[4*VW-1:0]),
+      .item_i(gather_item[4*VW:0]),
       .result_valid_i(selected_valid_o),
       .result_i(verdict),
       .out_valid_o(fold_valid),
       .out_ready_i(fold_ready),
       .out_last_o(),
-      .out_item_o(fold_origin),
+      .out_item_o({fold_half, fold_origin}),
       .out_result_o(fold_verdict),
       .active_o(fold_active)
   );
@@ -200,7 +209,7 @@ module select #(
       .rst_i,
       .in_valid_i(fold_valid),
       .in_ready_o(fold_ready),
-      .in_mask_i(!fold_verdict ? 4'b0000 : quads_i ? 4'b1111 : 4'b0001),
+      .in_mask_i(fold_verdict ? lanes_of(quads_i, fold_half) : 4'b0000),
       .in_index_i(fold_origin),
       .in_data_i(4'd0),
       .en_o(chosen_wr_en_o),

@@ -61,22 +61,25 @@ static uint32_t count(enum kind kind) {
     return n;
 }
 
-/* The table of rtl/divide.sv: for each n its s, with 2^15 < n^2 2^s <= 2^16, and r = ceil(2^62 / d)
- * for d = n^2 2^s; n = 0 stands for nothing. Entry n of the table is at bit 52 n. */
+/* The table of rtl/divide.sv: for each denominator its s, with 2^16 < d <= 2^17 for d = denominator
+ * 2^s, and r = ceil(2^64 / d). Entry {limit, n} is at bit 53 (256 limit + n); n = 0 stands for
+ * nothing. */
 static void write_reciprocals(FILE *out) {
-    fputs("\n  // --- Division by n^2: {s[4:0], r[46:0]} for n from 255 down to 0; see divide.sv\n"
-          "  localparam logic [52*256-1:0] RECIPROCALS = {\n",
+    fputs("\n  // --- Division by n^2, and for limits by n^2 + 5n; see divide.sv.\n"
+          "  // {s[4:0], r[47:0]} for {limit, n} from 511 down to 0\n"
+          "  localparam logic [53*512-1:0] RECIPROCALS = {\n",
           out);
-    for (int n = 255; n >= 0; n--) {
-        uint64_t d = n ? (uint64_t)n * (uint64_t)n : 1, s = 0;
-        while (d << s <= 32768)
+    for (uint32_t entry = 512; entry-- > 0;) {
+        const uint64_t n = entry % 256;
+        uint64_t d = n ? n * n + (entry >= 256 ? 5 * n : 0) : 1, s = 0;
+        while (d << s <= 65536)
             s++;
         d <<= s;
-        const uint64_t r = ((UINT64_C(1) << 62) + d - 1) / d;
-        fprintf(out, "%s52'h%013" PRIx64 "%s", n % 4 == 3 ? "    " : " ", s << 47 | r,
-                n == 0       ? "\n  };\n"
-                : n % 4 == 0 ? ",\n"
-                             : ",");
+        const uint64_t r = (uint64_t)((((unsigned __int128)1 << 64) + d - 1) / d);
+        fprintf(out, "%s53'h%014" PRIx64 "%s", entry % 4 == 3 ? "    " : " ", s << 48 | r,
+                entry == 0       ? "\n  };\n"
+                : entry % 4 == 0 ? ",\n"
+                                 : ",");
     }
 }
 
