@@ -9,12 +9,13 @@
 //   * sum_i: sums and counts are kept too; without it the sum memory is not touched.
 //   * Rate: an item a cycle, one cycle more for each conflict. Written two cycles after the bank's
 //     read; a vertex may be touched in every cycle: the word just written is forwarded.
+//   * touched_o: the vertex of the word that a bank gets now was touched before; with update_o.
 //   * full_o: a vertex got its 256th corner, the only lane of the item that was tagged full_item_o.
 //     Only for generation 0; its count stays void.
 //   * active_o: something is not yet written.
 //
-// Memories: mark word {tag[7:0], sent, border, hits, back, front}, sent is kept as it is; sum word {count[7:0], T of w, z, y, x:
-// S(39.0) each}.
+// Memories: mark word {tag[7:0], sent, border, hits, back, front}, sent is kept as it is; sum word
+// {count[7:0], T of w, z, y, x: S(39.0) each}.
 
 module accumulate #(
     // Width of a vertex number, and banks as a power of two.
@@ -50,6 +51,9 @@ module accumulate #(
     output logic [              (1<<BANK_BITS)-1:0] sum_wr_en_o,
     output logic [(VW-BANK_BITS)*(1<<BANK_BITS)-1:0] sum_wr_row_o,
     output logic [          168*(1<<BANK_BITS)-1:0] sum_wr_data_o,
+
+    output logic [(1<<BANK_BITS)-1:0] update_o,
+    output logic [(1<<BANK_BITS)-1:0] touched_o,
 
     output logic                 full_o,
     output logic [TAG_WIDTH-1:0] full_item_o,
@@ -139,6 +143,7 @@ module accumulate #(
       end
     end
 
+    assign touched_o[b] = touched;
     assign mark_wr_en_o[b] = update_q[b];
     assign mark_wr_row_o[b*ROW_BITS+:ROW_BITS] = update_q[b] ? row_q : '0;
     assign mark_wr_data_o[b*13+:13] = update_q[b] ? new_mark : '0;
@@ -154,6 +159,7 @@ module accumulate #(
     if (in_valid_i && in_ready_o) tag_1 <= in_tag_i;
     tag_2 <= tag_1;
   end
+  assign update_o = update_q;
   assign full_o = |full && sum_i;
   assign full_item_o = tag_2;
   assign active_o = scatter_active || update_q != '0;

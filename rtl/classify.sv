@@ -3,17 +3,16 @@
 // classify: reads the positions of every active face; leaves its marks and its new vertex's
 // position, and adds to its vertices' sums and marks.
 //
-//   fetch --> gather --> sums, determinants, division --> fold --> accumulate
-//   records   positions  of the face                      items    into its vertices
+//   fetch --> gather --> masks --> face_geometry: sums, --> contributions --> accumulate, ring
+//   records   positions            determinants, division   of its corners    into its vertices
 //
 //   * start_i for one cycle with items_i: corners in generation 0 (quads_i low), quads later. The
 //     settings hold until active_o falls.
 //   * New vertex: odd_i, the face point, RNE(sum of positions / n); else the inherited edge point,
 //     which is the average of the quad's corners where they stood before the last odd step (the
-//     "old" positions). point_valid_o gives it for one cycle, face by face, with the face's front.
-//   * Vertices: marks always; T, the sum of w + F around a vertex, and the valence if odd_i. The
-//     face's contribution to v is F and v's neighbour on the way in, where the formula takes the
-//     one on the way out: around a closed vertex the two sums are the same, and no other moves.
+//     "old" positions), or the middle of the edge, corners 0 and 2, if that is sharp or was on the
+//     boundary. point_valid_o gives it for one cycle, face by face, with the face's front and stop.
+//   * Vertices: marks always; T and the valence if odd_i; with limit_i rings always.
 //   * Rate: a quad, or in generation 0 a corner, a cycle, and a cycle more for each bank conflict.
 //   * valence_error_o: a vertex got its 256th corner, at corner valence_corner_o; the first counts.
 
@@ -33,20 +32,32 @@ module classify #(
     input  logic [ 7:0] generation_i,
     output logic        active_o,
 
-    // record memory: the item's vertices, whether its edges have no active face beyond, and whether
-    // it ends its face; lane 0 only in generation 0
+    // the view's settings
+    input logic        limit_i,         // limit positions
+    input logic        corners_stay_i,  // the boundary mode is smooth
+    input logic [15:0] min_edge_i,
+    input logic [15:0] width_i,
+    input logic [15:0] height_i,
+
+    // record memory: the item's vertices, whether its edges have no active face beyond, are on the
+    // surface's boundary, and how sharp; whether it ends its face; lane 0 only in generation 0
     output logic            record_rd_en_o,
     output logic [  QW-1:0] record_rd_item_o,
     input  logic [4*VW-1:0] record_origin_i,
     input  logic [     3:0] record_border_i,
+    input  logic [     3:0] record_boundary_i,
+    input  logic [    15:0] record_sharp_i,  // even generations
+    input  logic [     3:0] record_tag_i,    // odd generations: of the edge that the quad came from
+    input  logic            record_half_i,   // a half-quad: lane 3 is void
     input  logic            record_last_i,
 
-    // position memory, and the old positions in the sum memory, bank by bank {old, position}
+    // position and sharp memories, and the old positions in the sum memory, bank by bank
+    // {sharp, old, position}
     output logic [              (1<<BANK_BITS)-1:0] position_rd_en_o,
     output logic [(VW-BANK_BITS)*(1<<BANK_BITS)-1:0] position_rd_row_o,
-    input  logic [          256*(1<<BANK_BITS)-1:0] position_rd_data_i,
+    input  logic [          274*(1<<BANK_BITS)-1:0] position_rd_data_i,
 
-    // mark and sum memories: see accumulate
+    // mark and sum memories: see accumulate; ring memory: see ring
     output logic [              (1<<BANK_BITS)-1:0] mark_rd_en_o,
     output logic [(VW-BANK_BITS)*(1<<BANK_BITS)-1:0] mark_rd_row_o,
     input  logic [           13*(1<<BANK_BITS)-1:0] mark_rd_data_i,
@@ -59,12 +70,19 @@ module classify #(
     output logic [              (1<<BANK_BITS)-1:0] sum_wr_en_o,
     output logic [(VW-BANK_BITS)*(1<<BANK_BITS)-1:0] sum_wr_row_o,
     output logic [          168*(1<<BANK_BITS)-1:0] sum_wr_data_o,
+    output logic [              (1<<BANK_BITS)-1:0] ring_rd_en_o,
+    output logic [(VW-BANK_BITS)*(1<<BANK_BITS)-1:0] ring_rd_row_o,
+    input  logic [          177*(1<<BANK_BITS)-1:0] ring_rd_data_i,
+    output logic [              (1<<BANK_BITS)-1:0] ring_wr_en_o,
+    output logic [(VW-BANK_BITS)*(1<<BANK_BITS)-1:0] ring_wr_row_o,
+    output logic [          177*(1<<BANK_BITS)-1:0] ring_wr_data_o,
 
     // face memory
     output logic          point_valid_o,
     output logic [QW-1:0] point_face_o,
     output logic [ 127:0] point_o,
     output logic          front_o,
+    output logic          stop_o,
 
     output logic          valence_error_o,
     output logic [QW-1:0] valence_corner_o,
@@ -79,12 +97,13 @@ module classify #(
 );
 
   // --- Fetch and gather -----------------------------------------------------------------------------
-  localparam int unsigned RECORD = 1 + 4 + 4 * VW;  // {last, border, origins}
+  // {last, half, tag, sharp, boundary, border, origins}
+  localparam int unsigned RECORD = 1 + 1 + 4 + 16 + 4 + 4 + 4 * VW;
 
   logic fetch_valid, fetch_ready, fetch_active, stall;
   logic gather_valid, gather_active;
   logic [RECORD-1:0] gather_item;
-  logic [4*256-1:0] gather_data;
+  logic [4*274-1:0] gather_data;
 
   /* verilator lint_off PINCONNECTEMPTY */
   fetch #(
@@ -108,7 +127,7 @@ module classify #(
 
   gather #(
       .ITEM_WIDTH(RECORD),
-      .WIDTH(256),
+      .WIDTH(274),
       .ROW_BITS(VW - BANK_BITS),
       .BANK_BITS(BANK_BITS)
   ) u_gather (
@@ -117,8 +136,11 @@ module classify #(
       .stall_i(stall),
       .in_valid_i(fetch_valid),
       .in_ready_o(fetch_ready),
-      .in_item_i({record_last_i, record_border_i, record_origin_i}),
-      .in_mask_i(quads_i ? 4'b1111 : 4'b0001),
+      .in_item_i({
+        record_last_i, record_half_i, record_tag_i, record_sharp_i, record_boundary_i,
+        record_border_i, record_origin_i
+      }),
+      .in_mask_i(!quads_i ? 4'b0001 : record_half_i ? 4'b0111 : 4'b1111),
       .in_index_i(record_origin_i),
       .rd_en_o(position_rd_en_o),
       .rd_row_o(position_rd_row_o),
@@ -130,41 +152,76 @@ module classify #(
       .active_o(gather_active)
   );
 
-  // --- The face: marks and point ----------------------------------------------------------------------
-  logic valid_q;
-  logic [RECORD-1:0] item_q;
-  logic [511:0] position_q;  // of the four lanes
-  logic [511:0] source_q;    // what the new vertex is the average of
+  // --- The item: which masks its corners and its new vertex have --------------------------------
+  logic valid_q, last_q, half_q, tag;
+  logic [3:0] border_q, boundary_q, sharp, crease;
+  logic [4*VW-1:0] origin_q;
+  logic [511:0] position, source;
+
+  logic gather_last, gather_half;
+  logic [3:0] gather_tag, gather_boundary, gather_border;
+  logic [15:0] gather_sharp;
+  logic [4*VW-1:0] gather_origin;
+
+  assign {gather_last, gather_half, gather_tag, gather_sharp, gather_boundary, gather_border,
+          gather_origin} = gather_item;
 
   always_ff @(posedge clk_i) begin
     valid_q <= gather_valid;
     if (gather_valid) begin
-      item_q <= gather_item;
-      for (int i = 0; i < 4; i++) begin
-        position_q[i*128+:128] <= gather_data[i*256+:128];
-        source_q[i*128+:128] <= odd_i ? gather_data[i*256+:128] : gather_data[i*256+128+:128];
-      end
+      last_q <= gather_last;
+      half_q <= gather_half;
+      border_q <= gather_border;
+      boundary_q <= gather_boundary;
+      origin_q <= gather_origin;
     end
     if (rst_i) valid_q <= 1'b0;
   end
 
-  logic face_valid, face_front, face_back, face_hits, face_last_border;
+  masks u_masks (
+      .clk_i,
+      .odd_i,
+      .generation_i,
+      .corners_stay_i,
+      .valid_i(gather_valid),
+      .half_i(gather_half),
+      .boundary_i(gather_boundary),
+      .sharp_i(gather_sharp),
+      .tag_i(gather_tag),
+      .vertex_i(gather_data),
+      .position_o(position),
+      .source_o(source),
+      .crease_o(crease),
+      .sharp_o(sharp),
+      .tag_o(tag)
+  );
+
+  // --- The face: marks and point --------------------------------------------------------------------
+  logic face_valid, face_front, face_back, face_hits, face_nonquad, face_last_border;
   logic [127:0] face_point, face_last_position;
+  logic [159:0] face_sum;
 
   face_geometry u_geometry (
       .clk_i,
       .rst_i,
       .quads_i,
       .valid_i(valid_q),
-      .last_i(item_q[RECORD-1]),
-      .border_i(item_q[4*VW]),
-      .position_i(position_q),
-      .source_i(source_q),
+      .last_i(last_q),
+      .half_i(half_q),
+      .border_i(border_q[0]),
+      .position_i(position),
+      .source_i(source),
+      .min_edge_i,
+      .width_i,
+      .height_i,
       .valid_o(face_valid),
       .point_o(face_point),
       .front_o(face_front),
       .back_o(face_back),
       .hits_o(face_hits),
+      .stop_o,
+      .sum_o(face_sum),
+      .nonquad_o(face_nonquad),
       .last_position_o(face_last_position),
       .last_border_o(face_last_border)
   );
@@ -180,79 +237,57 @@ module classify #(
   assign point_o = face_point;
   assign front_o = face_front;
 
-  // --- Fold: every corner with its face's marks and point ---------------------------------------------
-  localparam int unsigned RESULT = 1 + 128 + 3 + 128;
-  localparam int unsigned ITEM = RECORD - 1 + 512;
+  // --- What it contributes to its vertices --------------------------------------------------------
+  logic give, take, give_nonquad, contributions_active;
+  logic [3:0] give_mask;
+  logic [4*VW-1:0] give_index;
+  logic [15:0] give_marks;
+  logic [4*132-1:0] give_addend;
+  logic [4*136-1:0] give_ring;
+  logic [QW-1:0] give_corner;
 
-  logic fold_valid, fold_ready, fold_last, fold_active;
-  logic [ITEM-1:0] fold_item;
-  logic [RESULT-1:0] fold_result;
-
-  fold #(
-      .ITEM_WIDTH(ITEM),
-      .RESULT_WIDTH(RESULT)
-  ) u_fold (
+  contributions #(
+      .VW(VW),
+      .QW(QW)
+  ) u_contributions (
       .clk_i,
       .rst_i,
+      .start_i,
+      .quads_i,
+      .odd_i,
+      .limit_i,
       .stall_o(stall),
+      .active_o(contributions_active),
       .item_valid_i(valid_q),
-      .item_last_i(item_q[RECORD-1]),
-      .item_i({position_q, item_q[RECORD-2:0]}),
+      .item_last_i(last_q),
+      .item_origin_i(origin_q),
+      .item_position_i(position),
+      .item_border_i(border_q),
+      .item_boundary_i(boundary_q),
+      .item_sharp_i(sharp),
+      .item_crease_i(crease),
+      .item_tag_i(tag),
+      .item_half_i(half_q),
       .result_valid_i(face_valid),
-      .result_i({
-        face_last_border, face_last_position, face_hits, face_back, face_front, face_point
-      }),
-      .out_valid_o(fold_valid),
-      .out_ready_i(fold_ready),
-      .out_last_o(fold_last),
-      .out_item_o(fold_item),
-      .out_result_o(fold_result),
-      .active_o(fold_active)
+      .result_point_i(face_point),
+      .result_marks_i({face_hits, face_back, face_front}),
+      .result_last_position_i(face_last_position),
+      .result_last_border_i(face_last_border),
+      .result_sum_i(face_sum),
+      .result_nonquad_i(face_nonquad),
+      .out_valid_o(give),
+      .out_ready_i(take),
+      .out_mask_o(give_mask),
+      .out_index_o(give_index),
+      .out_marks_o(give_marks),
+      .out_addend_o(give_addend),
+      .out_ring_o(give_ring),
+      .out_nonquad_o(give_nonquad),
+      .out_corner_o(give_corner),
+      .item_out_o
   );
 
-  // --- Contributions to the vertices --------------------------------------------------------------------
-  logic first_q, previous_border_q;  // generation 0: at a face's first corner; the corner before
-  logic [127:0] previous_q;
-  logic [QW-1:0] corner_q;
-  logic [15:0] lane_marks;
-  logic [4*132-1:0] addend;
-  logic [511:0] position;
-  logic [3:0] border;
-  logic [127:0] prior_0;
-  logic prior_border_0, take;
-
-  assign position = fold_item[4*VW+4+:512];
-  assign border = fold_item[4*VW+:4];
-  assign prior_0 = quads_i ? position[3*128+:128] : first_q ? fold_result[131+:128] : previous_q;
-  assign prior_border_0 = quads_i ? border[3] : first_q ? fold_result[259] : previous_border_q;
-  assign take = fold_valid && fold_ready;
-
-  always_comb begin
-    for (int i = 0; i < 4; i++) begin
-      logic [127:0] prior;
-      logic prior_border;
-      prior = i == 0 ? prior_0 : position[((i+3)%4)*128+:128];
-      prior_border = i == 0 ? prior_border_0 : border[(i+3)%4];
-      lane_marks[i*4+:4] = {border[i] || prior_border, fold_result[130:128]};
-      for (int k = 0; k < 4; k++)
-        addend[i*132+k*33+:33] = {prior[k*32+31], prior[k*32+:32]} +
-            {fold_result[k*32+31], fold_result[k*32+:32]};
-    end
-  end
-
-  always_ff @(posedge clk_i) begin
-    if (take) begin
-      first_q <= fold_last;
-      previous_q <= position[127:0];
-      previous_border_q <= border[0];
-      corner_q <= corner_q + QW'(1);
-    end
-    if (start_i) begin
-      first_q  <= 1'b1;
-      corner_q <= '0;
-    end
-  end
-
+  logic [(1<<BANK_BITS)-1:0] update, touched;
   logic accumulate_active;
 
   accumulate #(
@@ -264,13 +299,13 @@ module classify #(
       .rst_i,
       .generation_i,
       .sum_i(odd_i),
-      .in_valid_i(fold_valid),
-      .in_ready_o(fold_ready),
-      .in_mask_i(quads_i ? 4'b1111 : 4'b0001),
-      .in_index_i(fold_item[4*VW-1:0]),
-      .in_marks_i(lane_marks),
-      .in_addend_i(addend),
-      .in_tag_i(corner_q),
+      .in_valid_i(give),
+      .in_ready_o(take),
+      .in_mask_i(give_mask),
+      .in_index_i(give_index),
+      .in_marks_i(give_marks),
+      .in_addend_i(give_addend),
+      .in_tag_i(give_corner),
       .mark_rd_en_o,
       .mark_rd_row_o,
       .mark_rd_data_i,
@@ -283,18 +318,41 @@ module classify #(
       .sum_wr_en_o,
       .sum_wr_row_o,
       .sum_wr_data_o,
+      .update_o(update),
+      .touched_o(touched),
       .full_o(valence_error_o),
       .full_item_o(valence_corner_o),
       .conflict_o(conflict_o[1]),
       .active_o(accumulate_active)
   );
 
+  ring #(
+      .VW(VW),
+      .BANK_BITS(BANK_BITS)
+  ) u_ring (
+      .clk_i,
+      .rst_i,
+      .in_valid_i(give && take && limit_i),
+      .in_mask_i(give_mask),
+      .in_index_i(give_index),
+      .in_addend_i(give_ring),
+      .in_nonquad_i(give_nonquad),
+      .update_i(update),
+      .touched_i(touched),
+      .ring_rd_en_o,
+      .ring_rd_row_o,
+      .ring_rd_data_i,
+      .ring_wr_en_o,
+      .ring_wr_row_o,
+      .ring_wr_data_o
+  );
+
   // --- Counters --------------------------------------------------------------------------------------
-  assign active_o = fetch_active || gather_active || valid_q || fold_active || accumulate_active;
+  assign active_o = fetch_active || gather_active || valid_q || contributions_active ||
+      accumulate_active;
   assign busy_o = fetch_valid && fetch_ready;
   assign blocked_o = fetch_valid && !fetch_ready;
   assign starved_o = active_o && !fetch_valid;
   assign item_in_o = busy_o;
-  assign item_out_o = take;
 
 endmodule

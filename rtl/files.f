@@ -3,6 +3,7 @@ rtl/accumulate.sv
 rtl/banked_memory.sv
 rtl/check_twins.sv
 rtl/classify.sv
+rtl/contributions.sv
 rtl/counters.sv
 rtl/crc32.sv
 rtl/divide.sv
@@ -20,6 +21,7 @@ rtl/guard.sv
 rtl/halfstep.sv
 rtl/lanes.sv
 rtl/marks.sv
+rtl/masks.sv
 rtl/pack.sv
 rtl/quantize.sv
 rtl/receive.sv
@@ -29,6 +31,7 @@ rtl/receive_verdict.sv
 rtl/record_memory.sv
 rtl/refine.sv
 rtl/registers.sv
+rtl/ring.sv
 rtl/scatter.sv
 rtl/select.sv
 rtl/sequencer.sv

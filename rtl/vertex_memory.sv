@@ -5,6 +5,8 @@
 //   position  x, y, z, w: binary32 until quantize ran, then S1.30 of the block
 //   sum       {count[7:0], T}: this generation's, in odd steps; afterwards its low 128 bits are the
 //             position before that step
+//   sharp     {many, seen, own[3:0], t3[3:0], t2[3:0], t1[3:0]}, see sharpness and vertex_kind
+//   ring      {nonquad, count[7:0], M}: this generation's, with limit positions only
 //   mark      {tag[7:0], sent, border, hits, back, front}: marks of the generation that the tag
 //             names; sent: it is in the output
 //   chosen    a selected face's vertex; held: a vertex of a face that stays. Both count only where
@@ -33,12 +35,23 @@ module vertex_memory #(
     input  logic [VW-1:0] quantize_rd_index_i,
     output logic [ 127:0] single_position_o,  // of the latest single read
 
-    // birth (quantize, guard, split): position, old position, mark word; sent_i alone: mark word
+    // birth (quantize, guard, split): position, old position, mark word; sent_i alone: mark word.
+    // birth_sharp_wr_i: the sharp word of a vertex on an edge of this sharpness too
     input logic          birth_i,
     input logic          sent_i,
     input logic [VW-1:0] birth_vertex_i,
     input logic [ 127:0] birth_position_i,
     input logic [   7:0] birth_generation_i,
+    input logic          birth_sharp_wr_i,
+    input logic [   3:0] birth_sharpness_i,
+
+    // sharpness, while a packet comes in
+    input  logic          sharp_rd_en_i,
+    input  logic [VW-1:0] sharp_rd_index_i,
+    output logic [  17:0] sharp_rd_data_o,
+    input  logic          sharp_wr_en_i,
+    input  logic [VW-1:0] sharp_wr_index_i,
+    input  logic [  17:0] sharp_wr_data_i,
 
     input logic [7:0] generation_i,
 
@@ -46,7 +59,7 @@ module vertex_memory #(
     input  logic [         BANKS-1:0] gather_rd_en_i,
     input  logic [ROW_BITS*BANKS-1:0] gather_rd_row_i,
     input  logic                      gather_old_i,     // read the old positions too
-    output logic [     256*BANKS-1:0] gather_rd_data_o, // {old, position}
+    output logic [     274*BANKS-1:0] gather_rd_data_o, // {sharp, old, position}
     input  logic [         BANKS-1:0] mark_rd_en_i,     // classify or select
     input  logic [ROW_BITS*BANKS-1:0] mark_rd_row_i,
     output logic [      13*BANKS-1:0] mark_rd_data_o,
@@ -59,6 +72,12 @@ module vertex_memory #(
     input  logic [         BANKS-1:0] sum_wr_en_i,
     input  logic [ROW_BITS*BANKS-1:0] sum_wr_row_i,
     input  logic [     168*BANKS-1:0] sum_wr_data_i,
+    input  logic [         BANKS-1:0] ring_rd_en_i,
+    input  logic [ROW_BITS*BANKS-1:0] ring_rd_row_i,
+    output logic [     177*BANKS-1:0] ring_rd_data_o,
+    input  logic [         BANKS-1:0] ring_wr_en_i,
+    input  logic [ROW_BITS*BANKS-1:0] ring_wr_row_i,
+    input  logic [     177*BANKS-1:0] ring_wr_data_i,
 
     // select and guard
     input  logic [         BANKS-1:0] chosen_wr_en_i,
@@ -76,6 +95,8 @@ module vertex_memory #(
     input  logic                smooth_rd_en_i,
     input  logic [      VW-1:0] smooth_rd_index_i,
     output logic [       167:0] single_sum_o,
+    output logic [       176:0] single_ring_o,
+    output logic [        17:0] single_sharp_o,
     input  logic                smooth_wr_i,
     input  logic [      VW-1:0] smooth_wr_vertex_i,
     input  logic                smooth_wr_move_i,
@@ -168,9 +189,64 @@ module vertex_memory #(
   );
 
   assign single_sum_o = sum_rd_data_o[32'(single_bank_q)*168+:168];
+
+  // --- Sharp, ring ---------------------------------------------------------------------------------------
+  logic [BANK_BITS-1:0] sharp_bank_q;
+  logic [BANKS-1:0] smooth_rd_bank, sharp_rd_en;
+  logic [ROW_BITS*BANKS-1:0] smooth_rd_row, sharp_rd_row;
+  logic [18*BANKS-1:0] sharp_rd_data;
+  logic sharp_wr_en;
+  logic [VW-1:0] sharp_wr_index;
+  logic [17:0] sharp_wr_data;
+
+  assign smooth_rd_bank = bank_of(smooth_rd_en_i, smooth_rd_index_i[BANK_BITS-1:0]);
+  assign smooth_rd_row = {BANKS{smooth_rd_index_i[VW-1:BANK_BITS]}};
+  assign sharp_rd_en = gather_rd_en_i | smooth_rd_bank |
+      bank_of(sharp_rd_en_i, sharp_rd_index_i[BANK_BITS-1:0]);
+  assign sharp_rd_row = smooth_rd_en_i ? smooth_rd_row :
+      sharp_rd_en_i ? {BANKS{sharp_rd_index_i[VW-1:BANK_BITS]}} : gather_rd_row_i;
+  assign sharp_wr_en = birth_sharp_wr_i || sharp_wr_en_i;
+  assign sharp_wr_index = birth_sharp_wr_i ? birth_vertex_i : sharp_wr_index_i;
+  // The two halves of the edge that a vertex was made on are all that can be sharp around it.
+  assign sharp_wr_data = birth_sharp_wr_i ?
+      {2'b11, 4'd0, 4'd0, birth_sharpness_i, birth_sharpness_i} : sharp_wr_data_i;
+
+  always_ff @(posedge clk_i) if (sharp_rd_en_i) sharp_bank_q <= sharp_rd_index_i[BANK_BITS-1:0];
+
+  banked_memory #(
+      .WIDTH(18),
+      .ROW_BITS(ROW_BITS),
+      .BANK_BITS(BANK_BITS)
+  ) u_sharp (
+      .clk_i,
+      .rd_en_i(sharp_rd_en),
+      .rd_row_i(sharp_rd_row),
+      .rd_data_o(sharp_rd_data),
+      .wr_en_i(bank_of(sharp_wr_en, sharp_wr_index[BANK_BITS-1:0])),
+      .wr_row_i({BANKS{sharp_wr_index[VW-1:BANK_BITS]}}),
+      .wr_data_i({BANKS{sharp_wr_data}})
+  );
+
+  banked_memory #(
+      .WIDTH(177),
+      .ROW_BITS(ROW_BITS),
+      .BANK_BITS(BANK_BITS)
+  ) u_ring (
+      .clk_i,
+      .rd_en_i(ring_rd_en_i | smooth_rd_bank),
+      .rd_row_i(smooth_rd_en_i ? smooth_rd_row : ring_rd_row_i),
+      .rd_data_o(ring_rd_data_o),
+      .wr_en_i(ring_wr_en_i),
+      .wr_row_i(ring_wr_row_i),
+      .wr_data_i(ring_wr_data_i)
+  );
+
+  assign sharp_rd_data_o = sharp_rd_data[32'(sharp_bank_q)*18+:18];
+  assign single_sharp_o = sharp_rd_data[32'(single_bank_q)*18+:18];
+  assign single_ring_o = ring_rd_data_o[32'(single_bank_q)*177+:177];
   for (genvar b = 0; b < BANKS; b++) begin : g_gather
-    assign gather_rd_data_o[b*256+:256] = {
-      sum_rd_data_o[b*168+:128], position_rd_data[b*128+:128]
+    assign gather_rd_data_o[b*274+:274] = {
+      sharp_rd_data[b*18+:18], sum_rd_data_o[b*168+:128], position_rd_data[b*128+:128]
     };
   end
 
