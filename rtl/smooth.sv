@@ -3,22 +3,31 @@
 // smooth: goes over the vertices in the order of their numbers. In an odd step it moves those that
 // may move; it sends those that this generation's final faces will name.
 //
-//   moves  = active, not held, not on the border of the active mesh, not sent before, valence n > 1:
-//            RNE((T + n(n-2) S) / n^2)
+//   moves  = active, not held, not on the border of the active mesh, not sent before, and
+//            on a crease:           RNE((T + 6 S) / 8)
+//            smooth, valence n > 1: RNE((T + n(n-2) S) / n^2)
 //   leaves = active, not sent before, and held or on the border; in the last step, or when nothing
 //            is refined any more, every active vertex; after a last step all new vertices too
+//   limit  = leaves, limit_i, not on the border, and in generation 0 of quads only: it is sent where
+//            on a crease: RNE((M + 4 S) / 6)
+//            smooth:      RNE(((n^2 - n) S + M) / (n^2 + 5n)) in even generations, whose M has n S,
+//                         RNE((n^2 S + M) / (n^2 + 5n)) in odd ones
+//            stays:       S
 //
 //   rows of marks --> pick a vertex --> position, sum --> division --> memories, send
 //
 //   * start_i for one cycle with count_i vertices and new_i new ones behind them. The settings hold
-//     until active_o falls, which is when everything was sent.
+//     until active_o falls, which is when everything was sent. With limit_i last_i is never set.
 //   * A vertex is active if its mark word's tag is this generation. In an odd step every active
 //     vertex' old position is kept, moved or not: classify needs it in the even step.
 //   * Rate: an active vertex a cycle; a row of vertices without work takes one cycle. In an even
 //     step only vertices that leave are work.
 //   * write_valid_o: write_vertex_o gets the position (if write_move_o), the old position (if
 //     write_old_o), and counts as sent (if write_sent_o). No vertex is read after it was written.
-//   * send_valid_o/send_ready_i: vertices that leave, in order.
+//   * send_valid_o/send_ready_i: vertices that leave, in order; send_at_level_o: with limit_i, at
+//     the position of its level. What leaves at its limit is not written: the surface goes on with
+//     the positions of the level. No vertex moves and leaves at once with limit_i, as what leaves is
+//     held or on the border, or nothing is refined any more.
 
 module smooth #(
     parameter int unsigned VW = 19,  // width of a vertex number
@@ -37,17 +46,23 @@ module smooth #(
     input  logic [ 7:0] generation_i,
     output logic        active_o,
 
+    // the view's settings
+    input logic limit_i,
+    input logic corners_stay_i,  // the boundary mode is smooth
+
     // mark and held memories, a row of all banks at a time
     output logic                         row_rd_en_o,
     output logic [     VW-BANK_BITS-1:0] row_rd_o,
     input  logic [13*(1<<BANK_BITS)-1:0] mark_rd_data_i,
     input  logic [   (1<<BANK_BITS)-1:0] held_rd_data_i,
 
-    // position and sum memories, a vertex at a time
+    // position, sum, ring and sharp memories, a vertex at a time
     output logic          vertex_rd_en_o,
     output logic [VW-1:0] vertex_rd_index_o,
     input  logic [ 127:0] position_rd_data_i,
     input  logic [ 167:0] sum_rd_data_i,
+    input  logic [ 176:0] ring_rd_data_i,
+    input  logic [  17:0] sharp_rd_data_i,
 
     // face memory: the new vertices' positions where they are not in the vertex memory
     input  logic         new_from_face_i,
@@ -68,6 +83,7 @@ module smooth #(
     input  logic          send_ready_i,
     output logic [VW-1:0] send_vertex_o,
     output logic [ 127:0] send_position_o,
+    output logic          send_at_level_o,
 
     // counters
     output logic busy_o,
@@ -83,16 +99,16 @@ module smooth #(
   // --- Rows: which of a row's vertices have work ------------------------------------------------------
   logic rows_q, fresh_q;  // rows remain; the row that is shown was just read
   logic [ROW_BITS-1:0] row_q;
-  logic [BANKS-1:0] work, move, leave, done_q, pick;
+  logic [BANKS-1:0] work, move, leave, border, done_q, pick;
   logic advance, stall, pick_row, last_row;
 
   always_comb begin
     for (int b = 0; b < BANKS; b++) begin
-      logic active, stays, border;
+      logic active, stays;
       active = mark_rd_data_i[b*13+5+:8] == generation_i &&
           {1'b0, row_q, BANK_BITS'(b)} < count_i;
-      border = mark_rd_data_i[b*13+3];
-      stays = held_rd_data_i[b] || border;
+      border[b] = mark_rd_data_i[b*13+3];
+      stays = held_rd_data_i[b] || border[b];
       move[b] = active && odd_i && !stays && !mark_rd_data_i[b*13+4] && !finish_i;
       leave[b] = active && !mark_rd_data_i[b*13+4] && (stays || last_i || finish_i);
       work[b] = active && (odd_i || leave[b]) && !done_q[b];
@@ -142,7 +158,7 @@ module smooth #(
 
   // --- Read --------------------------------------------------------------------------------------------
   logic [BANK_BITS-1:0] pick_bank;
-  logic read_q, read_move_q, read_leave_q, read_new_q;
+  logic read_q, read_move_q, read_leave_q, read_border_q, read_new_q;
   logic [VW-1:0] read_vertex_q;
   logic [127:0] position;
 
@@ -161,6 +177,7 @@ module smooth #(
       read_vertex_q <= vertex_rd_index_o;
       read_move_q <= pick_row && (move & pick) != '0;
       read_leave_q <= pick_new || (leave & pick) != '0;
+      read_border_q <= (border & pick) != '0;
       read_new_q <= pick_new;
     end
     if (rst_i) read_q <= 1'b0;
@@ -168,25 +185,58 @@ module smooth #(
 
   assign position = read_new_q && new_from_face_i ? face_rd_data_i : position_rd_data_i;
 
-  // --- Dividend: T + n(n-2) S ------------------------------------------------------------------------------
-  logic divide_valid_q;
-  logic [7:0] n_q;
-  logic [4*48-1:0] dividend_q;
-  logic [127:0] quotient;
-  logic signed [47:0] weight;
-  logic [7:0] n;
-  logic moves;
+  // --- Which mask ----------------------------------------------------------------------------------------
+  logic stays, crease, moves, limits, at_level;
+  logic [7:0] n, level;
 
-  assign n = sum_rd_data_i[167:160];
-  assign moves = read_move_q && n != 8'd1;  // for n = 1 the mask is no average
-  assign weight = $signed({40'd0, n}) * ($signed({40'd0, n}) - 48'sd2);
+  assign level = 8'((9'(generation_i) + 9'd1) >> 1);
+  assign n = limits ? ring_rd_data_i[175:168] : sum_rd_data_i[167:160];
+
+  vertex_kind u_kind (
+      .word_i(sharp_rd_data_i),
+      .level_i(level),
+      .corners_stay_i,
+      .stays_o(stays),
+      .crease_o(crease)
+  );
+
+  // For n = 1 the smooth mask is no average.
+  assign moves = read_move_q && !stays && (crease || sum_rd_data_i[167:160] != 8'd1);
+  assign at_level = read_leave_q && limit_i &&
+      (read_border_q || (generation_i == 8'd0 && ring_rd_data_i[176]));
+  assign limits = read_leave_q && limit_i && !at_level && !stays;
+
+  // --- Dividend: a sum, and S times a weight ---------------------------------------------------------------
+  // No weight of the masks is negative, so that it is at most 2^30 times the denominator in
+  // magnitude: (255^2 + 5 * 255) 2^30 < 2^47. S(47.0) holds it, and each of its two terms.
+  logic divide_valid_q, limits_q;
+  logic [7:0] n_q;
+  logic [4*48-1:0] dividend_q, sum;
+  logic [127:0] quotient;
+  logic signed [47:0] wide_n, weight;
+
+  assign wide_n = {40'd0, n};
+
+  always_comb begin
+    for (int k = 0; k < 4; k++) begin
+      logic [47:0] t, m;
+      t = {{8{sum_rd_data_i[k*40+39]}}, sum_rd_data_i[k*40+:40]};
+      m = {{6{ring_rd_data_i[k*42+41]}}, ring_rd_data_i[k*42+:42]};
+      sum[k*48+:48] = limits ? m : crease ? t << 1 : t;
+    end
+    // On a crease 2T + 12S over 4^2, and M + 4S over 1^2 + 5.
+    if (crease) weight = limits ? 48'sd4 : 48'sd12;
+    else if (!limits) weight = wide_n * (wide_n - 48'sd2);
+    else weight = wide_n * (generation_i[0] ? wide_n : wide_n - 48'sd1);
+  end
 
   always_ff @(posedge clk_i) begin
-    divide_valid_q <= read_q && moves;
-    if (read_q && moves) begin
-      n_q <= n;
+    divide_valid_q <= read_q && (moves || limits);
+    if (read_q && (moves || limits)) begin
+      limits_q <= limits;
+      n_q <= !crease ? n : limits ? 8'd1 : 8'd4;
       for (int k = 0; k < 4; k++)
-        dividend_q[k*48+:48] <= {{8{sum_rd_data_i[k*40+39]}}, sum_rd_data_i[k*40+:40]} +
+        dividend_q[k*48+:48] <= $signed(sum[k*48+:48]) +
             weight * $signed({{16{position[k*32+31]}}, position[k*32+:32]});
     end
   end
@@ -195,6 +245,7 @@ module smooth #(
     divide u_divide (
         .clk_i,
         .valid_i(divide_valid_q),
+        .limit_i(limits_q),
         .n_i(n_q),
         .x_i(dividend_q[k*48+:48]),
         .y_o(quotient[k*32+:32])
@@ -203,24 +254,29 @@ module smooth #(
 
   // --- What goes along with the division, 5 cycles -----------------------------------------------------------
   logic [4:0] flight_q;
-  logic along_move, along_leave, along_new;
+  logic along_move, along_limit, along_leave, along_new, along_at_level;
   logic [VW-1:0] along_vertex;
   logic [127:0] along_position;
   logic retire;
 
   /* verilator lint_off PINCONNECTEMPTY */
   fifo #(
-      .WIDTH(3 + VW + 128),
+      .WIDTH(5 + VW + 128),
       .DEPTH(8)
   ) u_along (
       .clk_i,
       .rst_i,
       .in_valid_i(read_q),
       .in_ready_o(),  // at most 6 are on their way
-      .in_data_i({read_new_q, read_leave_q, moves, read_vertex_q, position}),
+      .in_data_i({
+        at_level, limits, read_new_q, read_leave_q, moves, read_vertex_q, position
+      }),
       .out_valid_o(),  // as flight_q
       .out_ready_i(retire),
-      .out_data_o({along_new, along_leave, along_move, along_vertex, along_position}),
+      .out_data_o({
+        along_at_level, along_limit, along_new, along_leave, along_move, along_vertex,
+        along_position
+      }),
       .level_o()
   );
   /* verilator lint_on PINCONNECTEMPTY */
@@ -236,25 +292,28 @@ module smooth #(
   assign write_move_o = along_move;
   assign write_old_o = odd_i;
   assign write_sent_o = along_leave;
-  assign write_position_o = along_move ? quotient : along_position;
+  assign write_position_o = quotient;
   assign write_before_o = along_position;
 
   // --- Send -----------------------------------------------------------------------------------------------------
   logic [4:0] send_level;
+  logic [127:0] leaves_at;
+
+  assign leaves_at = along_move || along_limit ? quotient : along_position;
 
   /* verilator lint_off PINCONNECTEMPTY */
   fifo #(
-      .WIDTH(VW + 128),
+      .WIDTH(1 + VW + 128),
       .DEPTH(16)
   ) u_send (
       .clk_i,
       .rst_i,
       .in_valid_i(retire && along_leave),
       .in_ready_o(),  // stall keeps it high
-      .in_data_i({along_vertex, write_position_o}),
+      .in_data_i({along_at_level, along_vertex, leaves_at}),
       .out_valid_o(send_valid_o),
       .out_ready_i(send_ready_i),
-      .out_data_o({send_vertex_o, send_position_o}),
+      .out_data_o({send_at_level_o, send_vertex_o, send_position_o}),
       .level_o(send_level)
   );
   /* verilator lint_on PINCONNECTEMPTY */
