@@ -1,0 +1,82 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "geometry_shim.h"
+
+#include <cstring>
+#include <memory>
+
+#include "Vgeometry.h"
+#include "verilated.h"
+
+struct geometry_rtl {
+    VerilatedContext context;
+    std::unique_ptr<Vgeometry> top;
+
+    void cycle() {
+        top->eval();
+        top->clk_i = 1;
+        top->eval();
+        top->clk_i = 0;
+        top->eval();
+    }
+};
+
+geometry_rtl *geometry_rtl_new(uint32_t seed) {
+    auto *rtl = new geometry_rtl;
+    rtl->context.randReset(2);
+    rtl->context.randSeed(static_cast<int>(seed % 0x7fffffff + 1));
+    rtl->top = std::make_unique<Vgeometry>(&rtl->context);
+    rtl->top->clk_i = 0;
+    rtl->top->valid_i = 0;
+    geometry_rtl_reset(rtl);
+    return rtl;
+}
+
+void geometry_rtl_free(geometry_rtl *rtl) {
+    if (rtl) rtl->top->final();
+    delete rtl;
+}
+
+void geometry_rtl_reset(geometry_rtl *rtl) {
+    rtl->top->rst_i = 1;
+    rtl->cycle();
+    rtl->top->rst_i = 0;
+}
+
+/* The 40 bits of a sum, at bit 40 k of words of 32. */
+static int64_t sum_of(const VlWide<5> &words, int k) {
+    const int word = 40 * k / 32, bit = 40 * k % 32;
+    const uint64_t both = static_cast<uint64_t>(words[word + 1]) << 32 | words[word];
+    return static_cast<int64_t>(both >> bit << 24) >> 24;
+}
+
+bool geometry_rtl_cycle(geometry_rtl *rtl, const geometry_settings *settings,
+                        const geometry_item *in, geometry_face *out) {
+    Vgeometry &top = *rtl->top;
+    const bool valid = top.valid_o;
+    if (valid) {
+        std::memcpy(out->point, &top.point_o[0], sizeof out->point);
+        std::memcpy(out->last_position, &top.last_position_o[0], sizeof out->last_position);
+        for (int k = 0; k < 4; k++)
+            out->sum[k] = sum_of(top.sum_o, k);
+        out->front = top.front_o;
+        out->back = top.back_o;
+        out->hits = top.hits_o;
+        out->stop = top.stop_o;
+        out->nonquad = top.nonquad_o;
+        out->last_border = top.last_border_o;
+    }
+    top.quads_i = settings->quads;
+    top.min_edge_i = static_cast<uint16_t>(settings->min_edge);
+    top.width_i = static_cast<uint16_t>(settings->width);
+    top.height_i = static_cast<uint16_t>(settings->height);
+    top.valid_i = in != nullptr;
+    if (in) {
+        top.half_i = in->half;
+        top.last_i = in->last;
+        top.border_i = in->border;
+        std::memcpy(&top.position_i[0], in->position, sizeof in->position);
+        std::memcpy(&top.source_i[0], in->source, sizeof in->source);
+    }
+    rtl->cycle();
+    return valid;
+}
