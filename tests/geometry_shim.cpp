@@ -27,6 +27,7 @@ geometry_rtl *geometry_rtl_new(uint32_t seed) {
     rtl->top = std::make_unique<Vgeometry>(&rtl->context);
     rtl->top->clk_i = 0;
     rtl->top->valid_i = 0;
+    rtl->top->edges_valid_i = 0;
     geometry_rtl_reset(rtl);
     return rtl;
 }
@@ -49,6 +50,13 @@ static int64_t sum_of(const VlWide<5> &words, int k) {
     return static_cast<int64_t>(both >> bit << 24) >> 24;
 }
 
+static void set(Vgeometry &top, const geometry_settings *settings) {
+    top.quads_i = settings->quads;
+    top.min_edge_i = static_cast<uint16_t>(settings->min_edge);
+    top.width_i = static_cast<uint16_t>(settings->width);
+    top.height_i = static_cast<uint16_t>(settings->height);
+}
+
 bool geometry_rtl_cycle(geometry_rtl *rtl, const geometry_settings *settings,
                         const geometry_item *in, geometry_face *out) {
     Vgeometry &top = *rtl->top;
@@ -65,10 +73,7 @@ bool geometry_rtl_cycle(geometry_rtl *rtl, const geometry_settings *settings,
         out->nonquad = top.nonquad_o;
         out->last_border = top.last_border_o;
     }
-    top.quads_i = settings->quads;
-    top.min_edge_i = static_cast<uint16_t>(settings->min_edge);
-    top.width_i = static_cast<uint16_t>(settings->width);
-    top.height_i = static_cast<uint16_t>(settings->height);
+    set(top, settings);
     top.valid_i = in != nullptr;
     if (in) {
         top.half_i = in->half;
@@ -79,4 +84,23 @@ bool geometry_rtl_cycle(geometry_rtl *rtl, const geometry_settings *settings,
     }
     rtl->cycle();
     return valid;
+}
+
+bool geometry_rtl_edges(geometry_rtl *rtl, const geometry_settings *settings, uint32_t use,
+                        const int32_t v[4][4], const int32_t w[4][4]) {
+    static const int component[3] = {0, 1, 3};
+    Vgeometry &top = *rtl->top;
+    set(top, settings);
+    top.valid_i = 0;
+    top.edges_use_i = use & 15;
+    for (int i = 0; i < 4; i++)
+        for (int k = 0; k < 3; k++) {
+            top.edges_from_i[3 * i + k] = static_cast<uint32_t>(v[i][component[k]]);
+            top.edges_to_i[3 * i + k] = static_cast<uint32_t>(w[i][component[k]]);
+        }
+    for (int i = 0; i < EDGES_LATENCY; i++) {
+        top.edges_valid_i = i == 0;
+        rtl->cycle();
+    }
+    return top.edges_short_o;
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
- * rtl/face_geometry.sv under Verilator, a cycle at a time.
+ * rtl/face_geometry.sv and rtl/short_edges.sv under Verilator, a cycle at a time.
  */
 #ifndef GEOMETRY_SHIM_H
 #define GEOMETRY_SHIM_H
@@ -12,7 +12,7 @@
 extern "C" {
 #endif
 
-enum { GEOMETRY_LATENCY = 5 };
+enum { GEOMETRY_LATENCY = 5, EDGES_LATENCY = 3 };
 
 typedef struct geometry_settings {
     bool quads;
@@ -42,6 +42,9 @@ void geometry_rtl_reset(geometry_rtl *rtl);
 /* One cycle with an item at the input, none if NULL. Gives valid_o before it, and then the face. */
 bool geometry_rtl_cycle(geometry_rtl *rtl, const geometry_settings *settings,
                         const geometry_item *in, geometry_face *out);
+/* short_edges' answer on those of four edges v-w that are in use (bit i: edge i), all by itself. */
+bool geometry_rtl_edges(geometry_rtl *rtl, const geometry_settings *settings, uint32_t use,
+                        const int32_t v[4][4], const int32_t w[4][4]);
 
 #ifdef __cplusplus
 }

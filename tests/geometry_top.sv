@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Marks, point and verdict on the edges of faces, without the memories around them.
+// Marks, point and verdict on the edges of faces, without the memories around them; and short_edges
+// once more by itself, as the edges of a face never let it see one end alone.
 
 module geometry_top (
     input logic clk_i,
@@ -27,9 +28,27 @@ module geometry_top (
     output logic         nonquad_o,
     output logic [159:0] sum_o,
     output logic [127:0] last_position_o,
-    output logic         last_border_o
+    output logic         last_border_o,
+
+    input  logic         edges_valid_i,
+    input  logic [  3:0] edges_use_i,
+    input  logic [383:0] edges_from_i,
+    input  logic [383:0] edges_to_i,
+    output logic         edges_short_o
 );
 
   face_geometry u_geometry (.*);
+
+  short_edges u_edges (
+      .clk_i,
+      .min_edge_i,
+      .width_i,
+      .height_i,
+      .valid_i(edges_valid_i),
+      .use_i(edges_use_i),
+      .from_i(edges_from_i),
+      .to_i(edges_to_i),
+      .all_short_o(edges_short_o)
+  );
 
 endmodule

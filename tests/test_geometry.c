@@ -56,15 +56,17 @@ static bool is_near(const int32_t *v, const int32_t *w, int k, uint32_t size, ui
     return distance < min_edge * product && -distance < min_edge * product;
 }
 
+static bool is_short(const int32_t *v, const int32_t *w, const geometry_settings *s) {
+    const bool across = is_near(v, w, 0, s->width, s->min_edge);
+    const bool up = is_near(v, w, 1, s->height, s->min_edge);
+    assert_int_equal(across, hs_is_short(v[0], v[3], w[0], w[3], s->width, s->min_edge));
+    assert_int_equal(up, hs_is_short(v[1], v[3], w[1], w[3], s->height, s->min_edge));
+    return across && up;
+}
+
 static bool edges_are_short(const face *f, const geometry_settings *s) {
-    for (uint32_t i = 0; i < f->n; i++) {
-        const int32_t *v = f->position[i], *w = f->position[(i + 1) % f->n];
-        const bool across = is_near(v, w, 0, s->width, s->min_edge);
-        const bool up = is_near(v, w, 1, s->height, s->min_edge);
-        assert_int_equal(across, hs_is_short(v[0], v[3], w[0], w[3], s->width, s->min_edge));
-        assert_int_equal(up, hs_is_short(v[1], v[3], w[1], w[3], s->height, s->min_edge));
-        if (!across || !up) return false;
-    }
+    for (uint32_t i = 0; i < f->n; i++)
+        if (!is_short(f->position[i], f->position[(i + 1) % f->n], s)) return false;
     return true;
 }
 
@@ -342,6 +344,45 @@ static void an_end_that_is_not_before_the_eye_makes_an_edge_long(void **state) {
     geometry_rtl_free(b.rtl);
 }
 
+/* v anywhere, w at about the least edge from it, with a w of its own. */
+static void set_edge(int32_t v[4], int32_t w[4], const geometry_settings *s) {
+    for (int k = 0; k < 4; k++)
+        v[k] = below(8) ? anywhere() : at_the_ends();
+    if (v[3] > 0) {
+        set_neighbour(w, v, s, (int64_t)below(5) - 1);
+    } else {
+        memcpy(w, v, 4 * sizeof *w);
+        w[3] = below(2) ? w[3] : anywhere();
+    }
+}
+
+static void every_edge_that_is_used_has_its_say_and_no_other(void **state) {
+    (void)state;
+    random_state = 8;
+    geometry_rtl *rtl = geometry_rtl_new(6);
+    uint32_t seen[2] = {0};
+    for (int i = 0; i < 100000; i++) {
+        const geometry_settings s = random_settings(true);
+        int32_t v[4][4], w[4][4];
+        bool expected = true;
+        const uint32_t use = below(2) ? 1u << below(4) : below(16);
+        for (uint32_t edge = 0; edge < 4; edge++) {
+            set_edge(v[edge], w[edge], &s);
+            if (below(2))
+                for (int k = 0; k < 4; k++) {
+                    const int32_t p = v[edge][k];
+                    v[edge][k] = w[edge][k];
+                    w[edge][k] = p;
+                }
+            if (use >> edge & 1) expected = is_short(v[edge], w[edge], &s) && expected;
+        }
+        assert_int_equal(geometry_rtl_edges(rtl, &s, use, v, w), expected);
+        seen[expected]++;
+    }
+    assert_true(seen[0] > 10000 && seen[1] > 10000);
+    geometry_rtl_free(rtl);
+}
+
 static void without_a_least_edge_nothing_is_short(void **state) {
     (void)state;
     random_state = 6;
@@ -380,6 +421,7 @@ int main(void) {
         cmocka_unit_test(faces_of_3_to_255_corners_have_theirs_a_corner_a_cycle),
         cmocka_unit_test(an_edge_as_long_as_the_least_one_is_not_short),
         cmocka_unit_test(an_end_that_is_not_before_the_eye_makes_an_edge_long),
+        cmocka_unit_test(every_edge_that_is_used_has_its_say_and_no_other),
         cmocka_unit_test(without_a_least_edge_nothing_is_short),
         cmocka_unit_test(reset_forgets_a_face_that_has_begun),
     };
