@@ -131,25 +131,15 @@ module classify #(
       .ROW_BITS(VW - BANK_BITS),
       .BANK_BITS(BANK_BITS)
   ) u_gather (
-      .clk_i,
-      .rst_i,
-      .stall_i(stall),
-      .in_valid_i(fetch_valid),
-      .in_ready_o(fetch_ready),
+      .clk_i, .rst_i, .stall_i(stall), .in_valid_i(fetch_valid), .in_ready_o(fetch_ready),
       .in_item_i({
         record_last_i, record_half_i, record_tag_i, record_sharp_i, record_boundary_i,
         record_border_i, record_origin_i
       }),
       .in_mask_i(!quads_i ? 4'b0001 : record_half_i ? 4'b0111 : 4'b1111),
-      .in_index_i(record_origin_i),
-      .rd_en_o(position_rd_en_o),
-      .rd_row_o(position_rd_row_o),
-      .rd_data_i(position_rd_data_i),
-      .out_valid_o(gather_valid),
-      .out_item_o(gather_item),
-      .out_data_o(gather_data),
-      .conflict_o(conflict_o[0]),
-      .active_o(gather_active)
+      .in_index_i(record_origin_i), .rd_en_o(position_rd_en_o), .rd_row_o(position_rd_row_o),
+      .rd_data_i(position_rd_data_i), .out_valid_o(gather_valid), .out_item_o(gather_item),
+      .out_data_o(gather_data), .conflict_o(conflict_o[0]), .active_o(gather_active)
   );
 
   // --- The item: which masks its corners and its new vertex have --------------------------------
@@ -179,21 +169,10 @@ module classify #(
   end
 
   masks u_masks (
-      .clk_i,
-      .odd_i,
-      .generation_i,
-      .corners_stay_i,
-      .valid_i(gather_valid),
-      .half_i(gather_half),
-      .boundary_i(gather_boundary),
-      .sharp_i(gather_sharp),
-      .tag_i(gather_tag),
-      .vertex_i(gather_data),
-      .position_o(position),
-      .source_o(source),
-      .crease_o(crease),
-      .sharp_o(sharp),
-      .tag_o(tag)
+      .clk_i, .odd_i, .generation_i, .corners_stay_i, .valid_i(gather_valid), .half_i(gather_half),
+      .boundary_i(gather_boundary), .sharp_i(gather_sharp), .tag_i(gather_tag),
+      .vertex_i(gather_data), .position_o(position), .source_o(source), .crease_o(crease),
+      .sharp_o(sharp), .tag_o(tag)
   );
 
   // --- The face: marks and point --------------------------------------------------------------------
@@ -202,28 +181,11 @@ module classify #(
   logic [159:0] face_sum;
 
   face_geometry u_geometry (
-      .clk_i,
-      .rst_i,
-      .quads_i,
-      .valid_i(valid_q),
-      .last_i(last_q),
-      .half_i(half_q),
-      .border_i(border_q[0]),
-      .position_i(position),
-      .source_i(source),
-      .min_edge_i,
-      .width_i,
-      .height_i,
-      .valid_o(face_valid),
-      .point_o(face_point),
-      .front_o(face_front),
-      .back_o(face_back),
-      .hits_o(face_hits),
-      .stop_o,
-      .sum_o(face_sum),
-      .nonquad_o(face_nonquad),
-      .last_position_o(face_last_position),
-      .last_border_o(face_last_border)
+      .clk_i, .rst_i, .quads_i, .valid_i(valid_q), .last_i(last_q), .half_i(half_q),
+      .border_i(border_q[0]), .position_i(position), .source_i(source), .min_edge_i, .width_i,
+      .height_i, .valid_o(face_valid), .point_o(face_point), .front_o(face_front),
+      .back_o(face_back), .hits_o(face_hits), .stop_o, .sum_o(face_sum), .nonquad_o(face_nonquad),
+      .last_position_o(face_last_position), .last_border_o(face_last_border)
   );
 
   logic [QW-1:0] face_q;
@@ -250,41 +212,17 @@ module classify #(
       .VW(VW),
       .QW(QW)
   ) u_contributions (
-      .clk_i,
-      .rst_i,
-      .start_i,
-      .quads_i,
-      .odd_i,
-      .limit_i,
-      .stall_o(stall),
-      .active_o(contributions_active),
-      .item_valid_i(valid_q),
-      .item_last_i(last_q),
-      .item_origin_i(origin_q),
-      .item_position_i(position),
-      .item_border_i(border_q),
-      .item_boundary_i(boundary_q),
-      .item_sharp_i(sharp),
-      .item_crease_i(crease),
-      .item_tag_i(tag),
-      .item_half_i(half_q),
-      .result_valid_i(face_valid),
-      .result_point_i(face_point),
+      .clk_i, .rst_i, .start_i, .quads_i, .odd_i, .limit_i, .stall_o(stall),
+      .active_o(contributions_active), .item_valid_i(valid_q), .item_last_i(last_q),
+      .item_origin_i(origin_q), .item_position_i(position), .item_border_i(border_q),
+      .item_boundary_i(boundary_q), .item_sharp_i(sharp), .item_crease_i(crease), .item_tag_i(tag),
+      .item_half_i(half_q), .result_valid_i(face_valid), .result_point_i(face_point),
       .result_marks_i({face_hits, face_back, face_front}),
-      .result_last_position_i(face_last_position),
-      .result_last_border_i(face_last_border),
-      .result_sum_i(face_sum),
-      .result_nonquad_i(face_nonquad),
-      .out_valid_o(give),
-      .out_ready_i(take),
-      .out_mask_o(give_mask),
-      .out_index_o(give_index),
-      .out_marks_o(give_marks),
-      .out_addend_o(give_addend),
-      .out_ring_o(give_ring),
-      .out_nonquad_o(give_nonquad),
-      .out_corner_o(give_corner),
-      .item_out_o
+      .result_last_position_i(face_last_position), .result_last_border_i(face_last_border),
+      .result_sum_i(face_sum), .result_nonquad_i(face_nonquad), .out_valid_o(give),
+      .out_ready_i(take), .out_mask_o(give_mask), .out_index_o(give_index),
+      .out_marks_o(give_marks), .out_addend_o(give_addend), .out_ring_o(give_ring),
+      .out_nonquad_o(give_nonquad), .out_corner_o(give_corner), .item_out_o
   );
 
   logic [(1<<BANK_BITS)-1:0] update, touched;
@@ -295,56 +233,23 @@ module classify #(
       .BANK_BITS(BANK_BITS),
       .TAG_WIDTH(QW)
   ) u_accumulate (
-      .clk_i,
-      .rst_i,
-      .generation_i,
-      .sum_i(odd_i),
-      .in_valid_i(give),
-      .in_ready_o(take),
-      .in_mask_i(give_mask),
-      .in_index_i(give_index),
-      .in_marks_i(give_marks),
-      .in_addend_i(give_addend),
-      .in_tag_i(give_corner),
-      .mark_rd_en_o,
-      .mark_rd_row_o,
-      .mark_rd_data_i,
-      .mark_wr_en_o,
-      .mark_wr_row_o,
-      .mark_wr_data_o,
-      .sum_rd_en_o,
-      .sum_rd_row_o,
-      .sum_rd_data_i,
-      .sum_wr_en_o,
-      .sum_wr_row_o,
-      .sum_wr_data_o,
-      .update_o(update),
-      .touched_o(touched),
-      .full_o(valence_error_o),
-      .full_item_o(valence_corner_o),
-      .conflict_o(conflict_o[1]),
-      .active_o(accumulate_active)
+      .clk_i, .rst_i, .generation_i, .sum_i(odd_i), .in_valid_i(give), .in_ready_o(take),
+      .in_mask_i(give_mask), .in_index_i(give_index), .in_marks_i(give_marks),
+      .in_addend_i(give_addend), .in_tag_i(give_corner), .mark_rd_en_o, .mark_rd_row_o,
+      .mark_rd_data_i, .mark_wr_en_o, .mark_wr_row_o, .mark_wr_data_o, .sum_rd_en_o, .sum_rd_row_o,
+      .sum_rd_data_i, .sum_wr_en_o, .sum_wr_row_o, .sum_wr_data_o, .update_o(update),
+      .touched_o(touched), .full_o(valence_error_o), .full_item_o(valence_corner_o),
+      .conflict_o(conflict_o[1]), .active_o(accumulate_active)
   );
 
   ring #(
       .VW(VW),
       .BANK_BITS(BANK_BITS)
   ) u_ring (
-      .clk_i,
-      .rst_i,
-      .in_valid_i(give && take && limit_i),
-      .in_mask_i(give_mask),
-      .in_index_i(give_index),
-      .in_addend_i(give_ring),
-      .in_nonquad_i(give_nonquad),
-      .update_i(update),
-      .touched_i(touched),
-      .ring_rd_en_o,
-      .ring_rd_row_o,
-      .ring_rd_data_i,
-      .ring_wr_en_o,
-      .ring_wr_row_o,
-      .ring_wr_data_o
+      .clk_i, .rst_i, .in_valid_i(give && take && limit_i), .in_mask_i(give_mask),
+      .in_index_i(give_index), .in_addend_i(give_ring), .in_nonquad_i(give_nonquad),
+      .update_i(update), .touched_i(touched), .ring_rd_en_o, .ring_rd_row_o, .ring_rd_data_i,
+      .ring_wr_en_o, .ring_wr_row_o, .ring_wr_data_o
   );
 
   // --- Counters --------------------------------------------------------------------------------------
