@@ -207,29 +207,31 @@ module contributions #(
     wide = en ? {{2{coordinate[31]}}, coordinate} : 34'd0;
   endfunction
 
-  logic [4*136-1:0] even;  // T's, which is also that of M on a crease; of even generations
-
+  // What has no use is not computed: it would cost the simulation its speed.
   always_comb begin
-    even = '0;
+    out_addend_o = '0;
     out_ring_o = '0;
-    for (int i = 0; i < 4; i++) begin
+    for (int i = 0; i < 4; i++)
       out_marks_o[i*4+:4] = {border[i] || prior_border[i], marks};
-      if (valid_q && odd_i && (i == 0 || quads_i))
-        for (int k = 0; k < 4; k++)
-          even[i*136+k*34+:34] = crease[i] ?
-              wide(prior_sharp[i], prior[i*128+k*32+:32]) +
-              wide(boundary[i], next[i*128+k*32+:32]) :
-              wide(1'b1, prior[i*128+k*32+:32]) + wide(1'b1, point[k*32+:32]);
-      if (valid_q && limit_i && (i == 0 || quads_i))
-        for (int k = 0; k < 4; k++)
-          if (odd_i)
-            out_ring_o[i*136+k*34+:34] = crease[i] ? even[i*136+k*34+:34] :
-                sum[k*34+:34] + wide(1'b1, prior[i*128+k*32+:32]) * 34'd2;
-          else
-            out_ring_o[i*136+k*34+:34] = crease[i] ? wide(i % 2 == 0 && tag, point[k*32+:32]) :
-                wide(1'b1, point[k*32+:32]) * 34'd4 + wide(1'b1, prior[i*128+k*32+:32]);
-      for (int k = 0; k < 4; k++) out_addend_o[i*132+k*33+:33] = even[i*136+k*34+:33];
-    end
+    if (valid_q && odd_i)
+      for (int i = 0; i < 4; i++)
+        if (i == 0 || quads_i)
+          for (int k = 0; k < 4; k++)
+            out_addend_o[i*132+k*33+:33] = 33'(crease[i] ?
+                wide(prior_sharp[i], prior[i*128+k*32+:32]) +
+                wide(boundary[i], next[i*128+k*32+:32]) :
+                wide(1'b1, prior[i*128+k*32+:32]) + wide(1'b1, point[k*32+:32]));
+    if (valid_q && limit_i)
+      for (int i = 0; i < 4; i++)
+        if (i == 0 || quads_i)
+          for (int k = 0; k < 4; k++)
+            if (odd_i)
+              out_ring_o[i*136+k*34+:34] = crease[i] ?
+                  {out_addend_o[i*132+k*33+32], out_addend_o[i*132+k*33+:33]} :
+                  sum[k*34+:34] + wide(1'b1, prior[i*128+k*32+:32]) * 34'd2;
+            else
+              out_ring_o[i*136+k*34+:34] = crease[i] ? wide(i % 2 == 0 && tag, point[k*32+:32]) :
+                  wide(1'b1, point[k*32+:32]) * 34'd4 + wide(1'b1, prior[i*128+k*32+:32]);
   end
 
   assign out_valid_o = valid_q && known;

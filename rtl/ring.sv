@@ -51,8 +51,11 @@ module ring #(
   logic ready;  // as accumulate's
   /* verilator lint_on UNUSEDSIGNAL */
 
-  for (genvar i = 0; i < 4; i++) begin : g_word
-    assign word[i*WORD+:WORD] = {in_nonquad_i, in_addend_i[i*136+:136]};
+  always_comb begin
+    word = '0;
+    if (in_valid_i)
+      for (int i = 0; i < 4; i++)
+        word[i*WORD+:WORD] = {in_nonquad_i, in_addend_i[i*136+:136]};
   end
 
   /* verilator lint_off PINCONNECTEMPTY */
