@@ -146,7 +146,7 @@ module sequencer #(
   assign refined = all_o ? faces_q : refined_i;
   // A boundary side counts twice in an odd step; in an even one a half-quad counts two sides.
   assign all_sides = (QW + 4)'({faces_q, 2'b00}) +
-      (odd_o ? (QW + 4)'(boundary_q) : -(QW + 4)'({boundary_q, 1'b0}));
+      (odd_o ? (QW + 4)'(boundary_q) : (QW + 4)'(0) - (QW + 4)'({boundary_q, 1'b0}));
   assign sides = all_o ? all_sides[QW+2:0] : sides_i;
   assign exceeds = 32'(vertices_q) + 32'(refined) > 32'(limit_vertices_i) ||
       (32'(sides) + 32'd1) >> 1 > 32'(limit_quads_i);
