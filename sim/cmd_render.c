@@ -254,7 +254,12 @@ static bool unpack(scene *s, const hs_packet *packet, const char *name, hs_error
             for (uint32_t end = h + sides[f]; h < end; h++)
                 corner[h] = halfedge[4 * (size_t)h];
         }
-        const hs_soup soup = {name, vertices, place, faces, sides, corner, NULL, NULL};
+        const hs_soup soup = {.name = name,
+                              .vertices = vertices,
+                              .position = place,
+                              .faces = faces,
+                              .sides = sides,
+                              .corner = corner};
         done = hs_mesh_build(&s->mesh, &soup, NULL, err);
     }
     for (uint32_t f = 0; done && f < faces; f++)
