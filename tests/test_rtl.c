@@ -15,11 +15,12 @@
 static void every_shape_from_every_view_is_goldens_word_for_word(void **state) {
     bench *b = *state;
     const uint64_t words = b->words;
-    uint32_t views = 0;
+    uint32_t views = 0, shapes = 0;
     uint64_t refined = 0, kept = 0;
     for (const hs_shape *shape = hs_shapes; shape->name; shape++) {
         hs_mesh mesh;
         hs_view view[VIEWS];
+        shapes++;
         make_shape(&mesh, shape->name, 0, 1);
         make_views(&mesh, view);
         for (uint32_t v = 0; v < VIEWS; v++)
@@ -40,7 +41,8 @@ static void every_shape_from_every_view_is_goldens_word_for_word(void **state) {
     print_message("compared %u views, %llu words; %llu views refined something, %llu nothing\n",
                   views, (unsigned long long)(b->words - words), (unsigned long long)refined,
                   (unsigned long long)kept);
-    assert_int_equal(views, 9 * VIEWS * 2);
+    assert_int_equal(views, shapes * VIEWS * 2);
+    assert_true(shapes >= 9);
     assert_true(refined > views / 2);
     assert_true(kept > 0);
 }

@@ -160,7 +160,7 @@ static void make_fan(hs_packet *packet, uint32_t n, uint32_t bad) {
     base.word[5] = 3 * n;
     packet->view = 9;
     packet->words = 0;
-    hs_packet_append(packet, base.word, 6 + 4, &err);
+    hs_packet_append(packet, base.word, VERTICES_AT / 4 + 4, &err);
     for (uint32_t h = 0; h < 3 * n; h++) {
         const uint32_t twin = h == bad ? (h + 3) % (3 * n) : HS_BORDER;
         const uint32_t record[4] = {h % 3, twin, 3 | h % 3 << 16, 0};
@@ -246,18 +246,24 @@ static void make_odd_surface(hostile *h, hs_packet *packet) {
     hs_error err;
     const bool is_uniform = below(h, 2);
     const uint32_t more = below(h, 12) ? 0 : 8; /* steps, until it is too large */
-    const uint32_t header[8] = {HS_MAGIC_VIEW,
-                                HS_STREAM_VERSION,
-                                is_uniform | below(h, 2) << 1,
-                                vertices,
-                                faces,
-                                halfedges,
-                                (more + below(h, 5)) | below(h, 7) << 8 |
-                                    (more + below(h, 5)) << 16,
-                                0};
+    static const uint32_t mode[] = {0, HS_FLAG_SMOOTH, HS_FLAG_EDGE_ONLY};
+    const uint32_t flags = is_uniform | below(h, 2) << 1 | below(h, 2) << 2;
+    const uint32_t header[12] = {HS_MAGIC_VIEW,
+                                 HS_STREAM_VERSION,
+                                 flags | mode[below(h, 3)],
+                                 vertices,
+                                 faces,
+                                 halfedges,
+                                 (more + below(h, 5)) | below(h, 7) << 8 |
+                                     (more + below(h, 5)) << 16,
+                                 0,
+                                 below(h, 3) ? 0 : 1 + below(h, 60000),
+                                 (1 + below(h, 3000)) | (1 + below(h, 3000)) << 16,
+                                 0,
+                                 0};
     packet->view = below(h, 65536);
     packet->words = 0;
-    hs_packet_append(packet, header, 2, &err);
+    hs_packet_append(packet, header, 3, &err);
     for (uint32_t i = 0; i < 4 + vertices; i++) {
         uint32_t record[4];
         for (uint32_t k = 0; k < 4; k++) {
@@ -267,11 +273,18 @@ static void make_odd_surface(hostile *h, hs_packet *packet) {
         }
         hs_packet_append(packet, record, 1, &err);
     }
-    uint32_t forced = 0;
+    uint32_t forced = 0, sharp[MOST] = {0};
+    const uint32_t sharp_in = 1 + below(h, 10); /* one edge and vertex in so many */
+    for (uint32_t e = 0; e < halfedges; e++) {
+        static const uint32_t sharpness[] = {1, 2, 3, 9, HS_SHARP_INFINITE};
+        const bool known = twin[e] < e;
+        sharp[e] = known ? sharp[twin[e]] & 15 : below(h, sharp_in) ? 0 : sharpness[below(h, 5)];
+        if (!below(h, 4 * sharp_in)) sharp[e] |= sharpness[below(h, 5)] << 4;
+    }
     for (uint32_t e = 0; e < halfedges; e++) {
         if (place[e] == 0) forced = below(h, 4) ? 0 : below(h, 6);
         const uint32_t record[4] = {origin[e], twin[e], sides_of[e] | forced << 8 | place[e] << 16,
-                                    0};
+                                    sharp[e]};
         hs_packet_append(packet, record, 1, &err);
     }
     const uint32_t end[4] = {HS_MAGIC_END, 0, 0, 0};
@@ -415,8 +428,8 @@ static void change_length(hostile *h, hs_packet *packet) {
 
 static void scale_numbers(hostile *h, hs_packet *packet) {
     for (uint32_t n = 1 + below(h, 6); n > 0; n--) {
-        const uint32_t words = (uint32_t)corners_at(packet) - 8;
-        packet->word[8 + below(h, words)] =
+        const uint32_t words = (uint32_t)corners_at(packet) - 4 * HS_HEADER_RECORDS;
+        packet->word[4 * HS_HEADER_RECORDS + below(h, words)] =
             (below(h, 2) ? 0x7e000000 : 0x7f000000) | below(h, 2) << 31 | below(h, 1u << 23);
     }
 }
