@@ -99,6 +99,8 @@ void hs_mesh_free(hs_mesh *mesh) {
     free(mesh->twin);
     free(mesh->face);
     free(mesh->forced);
+    free(mesh->sharpness);
+    free(mesh->vertex_sharpness);
     memset(mesh, 0, sizeof *mesh);
 }
 
@@ -196,8 +198,10 @@ static bool lay_out(builder *b, uint32_t corners) {
     mesh->twin = allocate(corners, sizeof *mesh->twin);
     mesh->face = allocate(corners, sizeof *mesh->face);
     mesh->forced = allocate(soup->faces, sizeof *mesh->forced);
+    mesh->sharpness = allocate(corners, sizeof *mesh->sharpness);
+    mesh->vertex_sharpness = allocate(mesh->vertices, sizeof *mesh->vertex_sharpness);
     if (mesh->first == NULL || mesh->origin == NULL || mesh->twin == NULL || mesh->face == NULL ||
-        mesh->forced == NULL)
+        mesh->forced == NULL || mesh->sharpness == NULL || mesh->vertex_sharpness == NULL)
         return exhausted(b);
     mesh->faces = soup->faces;
     mesh->halfedges = corners;

@@ -238,7 +238,8 @@ static bool check_end(const reader *in, size_t at, const counts *sum) {
                      sum->generation);
     if (word[1] != sum->triangles)
         return wrong(in, at + 1, "it says %u, the packet has %u", word[1], sum->triangles);
-    if (word[2]) return wrong(in, at + 2, "0x%08x in a reserved word", word[2]);
+    if (word[2] > sum->vertices)
+        return wrong(in, at + 2, "%u vertices at their level of %u", word[2], sum->vertices);
     uint32_t crc = hs_crc(0, in->packet->word, at);
     if (word[3] != crc) return wrong(in, at + 3, "it says 0x%08x, it is 0x%08x", word[3], crc);
     return true;
@@ -359,6 +360,7 @@ bool hs_output_decode(hs_output *output, const hs_packet *packet, hs_error *err)
                      .exponent = (int32_t)packet->word[2],
                      .generations = generation_of(end),
                      .triangles = sum.triangles,
+                     .at_level = packet->word[packet->words - 2],
                      .corners = sum.corners,
                      .position = new_array(sum.vertices, 16),
                      .number = new_array(sum.vertices, sizeof(uint32_t)),

@@ -490,14 +490,14 @@ static void mutated_packets_are_judged_and_refined_as_golden_does(void **state) 
         check(h, &packet, any_stalls(h), what);
     }
     hs_packet_free(&packet);
-    for (uint32_t s = 0; s <= HS_STATUS_TOO_LONG; s++)
+    for (uint32_t s = 0; s <= HS_STATUS_BAD_SHARPNESS; s++)
         if (h->seen[s]) print_message("%6u %s\n", h->seen[s], hs_status_name(s));
 }
 
 /* Last: the tests before would mean little if a kind of refusal had not occurred. */
 static void every_status_was_seen(void **state) {
     const hostile *h = *state;
-    for (uint32_t s = HS_STATUS_BAD_MAGIC; s <= HS_STATUS_TOO_LONG; s++)
+    for (uint32_t s = HS_STATUS_BAD_MAGIC; s <= HS_STATUS_BAD_SHARPNESS; s++)
         if (h->seen[s] == 0) fail_msg("%s was never seen", hs_status_name(s));
     assert_true(h->seen[HS_STATUS_OK] > 0 && h->seen[HS_STATUS_STOPPED] > 0);
 }
