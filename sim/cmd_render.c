@@ -17,6 +17,7 @@
 #include "options.h"
 #include "png_file.h"
 #include "run_pictures.h"
+#include "surface_options.h"
 #include "view.h"
 
 static const char EXAMPLES[] =
@@ -70,6 +71,7 @@ static void free_scene(scene *s) {
 /* Options whose values are looked at behind the table. */
 typedef struct texts {
     const char *size;
+    hs_surface_texts surface;
     uint32_t front, silhouette, guard, uniform;
     bool front_given, silhouette_given, guard_given, uniform_given, force_given;
 } texts;
@@ -112,6 +114,11 @@ static bool complete(request *r, const texts *t, hs_error *err) {
     if (t->uniform_given)
         r->settings = (hs_settings){
             .uniform = true, .uniform_depth = (uint8_t)t->uniform, .guard = t->guard != 0};
+    if (t->surface.boundary || t->surface.limit || t->surface.min_edge) r->depths_given = true;
+    if (!hs_surface_settings(&r->settings, &t->surface, r->width, r->height, err)) return false;
+    if (r->settings.min_edge && !t->front_given) r->settings.front_depth = HS_SAFETY_DEPTH;
+    if (r->settings.min_edge && !t->silhouette_given)
+        r->settings.silhouette_depth = HS_SAFETY_DEPTH;
     return true;
 }
 
@@ -152,6 +159,12 @@ static enum hs_parsed parse(request *r, int argc, char **argv, hs_error *err) {
          "steps for front faces in view (4)"},
         {"silhouette", 's', HS_OPTION_NUMBER, "DEPTH", &t.silhouette, 0, HS_MAX_DEPTH,
          &t.silhouette_given, "steps for faces at the silhouette (8)"},
+        {"min-edge-px", 0, HS_OPTION_TEXT, "PIXELS", &t.surface.min_edge, 0, 0, NULL,
+         "leave faces alone whose edges are all shorter"},
+        {"boundary", 'b', HS_OPTION_TEXT, "MODE", &t.surface.boundary, 0, 0, NULL,
+         "kept, smooth or edge-only (smooth)"},
+        {"limit", 0, HS_OPTION_FLAG, NULL, &t.surface.limit, 0, 0, NULL,
+         "vertices at their limit positions"},
         {"guard", 'g', HS_OPTION_NUMBER, "0|1", &t.guard, 0, 1, &t.guard_given,
          "refine the ring around selected faces as well (1)"},
         {"uniform", 'u', HS_OPTION_NUMBER, "DEPTH", &t.uniform, 0, HS_MAX_DEPTH, &t.uniform_given,
@@ -242,7 +255,14 @@ static bool unpack(scene *s, const hs_packet *packet, const char *name, hs_error
                                 .silhouette_depth = (uint8_t)(depths >> 8),
                                 .uniform_depth = (uint8_t)(depths >> 16),
                                 .uniform = flags & HS_FLAG_UNIFORM,
-                                .guard = flags & HS_FLAG_GUARD};
+                                .guard = flags & HS_FLAG_GUARD,
+                                .limit = flags & HS_FLAG_LIMIT,
+                                .boundary = flags & HS_FLAG_SMOOTH      ? HS_BOUNDARY_SMOOTH
+                                            : flags & HS_FLAG_EDGE_ONLY ? HS_BOUNDARY_EDGE_ONLY
+                                                                        : HS_BOUNDARY_KEPT,
+                                .min_edge = (uint16_t)w[8],
+                                .width = (uint16_t)w[9],
+                                .height = (uint16_t)(w[9] >> 16)};
     float *place = malloc(4 * (size_t)vertices * sizeof *place);
     uint32_t *sides = malloc(faces * sizeof *sides), *corner = malloc(corners * sizeof *corner);
     bool done = place && sides && corner;
@@ -265,6 +285,12 @@ static bool unpack(scene *s, const hs_packet *packet, const char *name, hs_error
     for (uint32_t f = 0; done && f < faces; f++)
         if ((s->mesh.forced[f] = (uint8_t)(halfedge[4 * (size_t)s->mesh.first[f] + 2] >> 8)))
             s->forced = true;
+    for (uint32_t h = 0; done && h < corners; h++) {
+        const uint32_t word = halfedge[4 * (size_t)h + 3];
+        uint8_t *of_vertex = &s->mesh.vertex_sharpness[s->mesh.origin[h]];
+        s->mesh.sharpness[h] = word & 0xf;
+        if (word >> 4 > *of_vertex) *of_vertex = (uint8_t)(word >> 4);
+    }
     free(place);
     free(sides);
     free(corner);

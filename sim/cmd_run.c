@@ -13,6 +13,7 @@
 #include "options.h"
 #include "report_json.h"
 #include "run.h"
+#include "surface_options.h"
 
 static const hs_command COMMAND = {
     .name = "run",
@@ -33,6 +34,8 @@ static const hs_command COMMAND = {
             "      eight viewpoints; meshes and pictures in out/hand, figures in the JSON\n"
             "  halfstep run bob.obj --uniform 6 --engine golden,reference\n"
             "      three Catmull-Clark levels everywhere, integers against doubles\n"
+            "  halfstep run shape:grid --min-edge-px 4 --limit --size 1024x1024\n"
+            "      until edges are shorter than 4 pixels, vertices on the limit surface\n"
             "  halfstep run bob.obj --views my.txt --stalls 30,50 --seed 7\n"
             "      your own viewpoints (docs/command-line.md), both sides of the streams\n"
             "      pausing at random in 30 and 50 % of the cycles\n"
@@ -81,6 +84,7 @@ bool hs_engines_parse(const char *list, uint32_t *engines, hs_error *err) {
 typedef struct texts {
     const char *engines, *size, *stalls, *window;
     uint32_t front, silhouette, guard, uniform;
+    hs_surface_texts surface;
     bool front_given, silhouette_given, orbit_given, seed_given, only_given;
 } texts;
 
@@ -119,6 +123,10 @@ static bool complete(hs_run_request *r, const texts *t, hs_error *err) {
                                 .silhouette_depth = (uint8_t)t->silhouette,
                                 .uniform = t->uniform != UINT32_MAX,
                                 .guard = t->guard != 0};
+    if (!hs_surface_settings(&r->settings, &t->surface, r->width, r->height, err)) return false;
+    if (r->settings.min_edge && !t->front_given) r->settings.front_depth = HS_SAFETY_DEPTH;
+    if (r->settings.min_edge && !t->silhouette_given)
+        r->settings.silhouette_depth = HS_SAFETY_DEPTH;
     if (!r->settings.uniform) return true;
     r->settings.uniform_depth = (uint8_t)t->uniform;
     r->settings.front_depth = r->settings.silhouette_depth = 0;
@@ -158,6 +166,12 @@ static enum hs_parsed parse(hs_run_request *r, int argc, char **argv, hs_error *
          "refine the ring around selected faces as well (1)"},
         {"uniform", 'u', HS_OPTION_NUMBER, "DEPTH", &t.uniform, 0, HS_MAX_DEPTH, NULL,
          "so many steps everywhere, whatever the view shows"},
+        {"min-edge-px", 0, HS_OPTION_TEXT, "PIXELS", &t.surface.min_edge, 0, 0, NULL,
+         "leave faces alone whose edges are all shorter; depths\nthat are not given then are 24"},
+        {"boundary", 'b', HS_OPTION_TEXT, "MODE", &t.surface.boundary, 0, 0, NULL,
+         "kept, smooth or edge-only (smooth)"},
+        {"limit", 'l', HS_OPTION_FLAG, NULL, &t.surface.limit, 0, 0, NULL,
+         "send vertices at their limit positions"},
         {"force", 0, HS_OPTION_TEXT, "FILE", &r->force, 0, 0, NULL,
          "depths for single faces: lines `FIRST-LAST DEPTH`,\nfaces from 1 as in the mesh"},
         {"engine", 'e', HS_OPTION_TEXT, "LIST", &t.engines, 0, 0, NULL,
@@ -255,8 +269,8 @@ static bool prepare(hs_run *run, hs_error *err) {
         snprintf(path, sizeof path, "%s/views.txt", r->out);
         if (!hs_views_write(&run->views, path, err)) return false;
         if (r->engines & (1u << HS_ENGINE_golden | 1u << HS_ENGINE_rtl)) {
-            run->pictures =
-                hs_run_pictures_new(&run->mesh, r->width, r->height, r->reference_levels, err);
+            run->pictures = hs_run_pictures_new(&run->mesh, r->settings.boundary, r->width,
+                                                r->height, r->reference_levels, err);
             if (!run->pictures) return false;
         }
     }

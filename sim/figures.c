@@ -153,7 +153,8 @@ static bool draw_steps(hs_picture *sheet, hs_renderer *renderer, const hs_figure
     hs_picture picture[STEPS] = {{0}};
     bool done = true;
     for (uint32_t i = 0; i < STEPS && done; i++) {
-        const hs_settings uniform = {.uniform = true, .uniform_depth = (uint8_t)i};
+        const hs_settings uniform = {
+            .uniform = true, .uniform_depth = (uint8_t)i, .boundary = source->settings.boundary};
         hs_output output = {0};
         hs_surface surface = {0};
         done = refine(&output, source->mesh, &uniform, source, err) &&
@@ -201,7 +202,8 @@ static bool draw_ramp(hs_picture *picture, hs_renderer *renderer, const hs_figur
     hs_mesh mesh = *source->mesh; /* but for its forced depths */
     uint8_t *forced = calloc(mesh.faces, 1);
     if (!forced) return hs_fail(err, HS_EXIT_INTERNAL, "no memory for the depths of the ramp");
-    const hs_settings nothing = {.guard = source->settings.guard};
+    const hs_settings nothing = {.guard = source->settings.guard,
+                                 .boundary = source->settings.boundary};
     const uint32_t front = source->settings.front_depth, rim = source->settings.silhouette_depth;
     bool done = hs_surface_of_mesh(&surface, &mesh, source->matrix, err);
     if (done && !source->forced) {
@@ -223,7 +225,9 @@ static bool draw_ramp(hs_picture *picture, hs_renderer *renderer, const hs_figur
 static bool draw_reference(hs_picture *picture, hs_renderer *renderer,
                            const hs_figure_source *source, hs_error *err) {
     hs_reference_surface reference;
-    if (!hs_reference_surface_make(&reference, source->mesh, source->levels, err)) return false;
+    if (!hs_reference_surface_make(&reference, source->mesh, source->settings.boundary,
+                                   source->levels, err))
+        return false;
     hs_surface surface = {0};
     const bool done = hs_surface_of_faces(&surface, &reference.faces, source->matrix, err) &&
                       hs_view_picture_draw(picture, HS_VIEW_REFINED, renderer, &surface, NULL, err);

@@ -7,6 +7,7 @@
 
 #include "file.h"
 #include "options.h"
+#include "surface_options.h"
 
 /* Jansson's json_*_new return NULL without memory, and setting NULL fails; the report is then
  * incomplete. One flag collects that, so that the code below reads as the report does. */
@@ -47,6 +48,11 @@ static json_t *settings_of(report *r, const hs_run *run) {
     set_count(r, s, "front", q->settings.front_depth);
     set_count(r, s, "silhouette", q->settings.silhouette_depth);
     set_count(r, s, "guard", q->settings.guard);
+    set_text(r, s, "boundary", hs_boundary_name(q->settings.boundary));
+    set(r, s, "limit", json_boolean(q->settings.limit));
+    set(r, s, "min_edge_px",
+        q->settings.min_edge ? json_real((double)q->settings.min_edge / HS_PIXEL_FRACTION)
+                             : json_null());
     set_text(r, s, "force", q->force);
     set_count(r, s, "depth", run->depth);
     for (int e = 0; e < HS_ENGINES; e++)
@@ -92,6 +98,7 @@ static json_t *engine_of(report *r, const hs_run_view *view, enum hs_engine engi
     set_count(r, e, "vertices", result->vertices);
     set_count(r, e, "faces", result->faces);
     set_count(r, e, "triangles", result->triangles);
+    set_count(r, e, "at_level", result->at_level);
     const bool timed = engine == HS_ENGINE_rtl;
     set(r, e, "cycles", timed ? json_integer((json_int_t)view->rtl.cycles) : json_null());
     set_text(r, e, "status", hs_status_name(result->status));
@@ -131,6 +138,7 @@ static json_t *generations_of(report *r, const hs_run_view *view) {
         set_count(r, o, "refined", g->refined);
         set_count(r, o, "final", g->final);
         set_count(r, o, "corners", g->corners);
+        set_count(r, o, "boundary", g->boundary);
         set_count(r, o, "vertices", g->vertices);
         set_count(r, o, "moved", g->moved);
         append(r, generations, o);

@@ -51,7 +51,8 @@ typedef struct hs_engine_result {
     bool ran;
     uint32_t status, error_position;
     uint32_t vertices, faces,
-        triangles; /* sent; of the reference: final faces and their vertices */
+        triangles;     /* sent; of the reference: final faces and their vertices */
+    uint32_t at_level; /* with settings.limit: vertices sent where their level has them */
     double seconds;
     uint64_t words;  /* of the output packet; 0 for the reference */
     uint32_t digest; /* its CRC-32, all words */

@@ -34,11 +34,12 @@ static uint32_t affordable_level(const hs_mesh *mesh, uint32_t levels) {
     return affordable;
 }
 
-static bool refine(hs_reference *reference, const hs_mesh *mesh, uint32_t level, hs_error *err) {
-    if (!hs_reference_new(reference, mesh, NULL, HS_BOUNDARY_KEPT, err)) return false;
-    bool closed = is_closed(mesh);
+static bool refine(hs_reference *reference, const hs_mesh *mesh, hs_boundary boundary,
+                   uint32_t level, hs_error *err) {
+    if (!hs_reference_new(reference, mesh, NULL, boundary, err)) return false;
+    const bool direct = boundary != HS_BOUNDARY_KEPT || is_closed(mesh);
     for (uint32_t i = 0; i < level; i++) {
-        bool done = closed ? hs_reference_catmull_clark(reference, err)
+        bool done = direct ? hs_reference_catmull_clark(reference, err)
                            : hs_reference_step(reference, NULL, err) &&
                                  hs_reference_step(reference, NULL, err);
         if (!done) return false;
@@ -46,12 +47,12 @@ static bool refine(hs_reference *reference, const hs_mesh *mesh, uint32_t level,
     return hs_reference_finish(reference, err);
 }
 
-bool hs_reference_surface_make(hs_reference_surface *surface, const hs_mesh *mesh, uint32_t levels,
-                               hs_error *err) {
+bool hs_reference_surface_make(hs_reference_surface *surface, const hs_mesh *mesh,
+                               hs_boundary boundary, uint32_t levels, hs_error *err) {
     *surface =
         (hs_reference_surface){.level = affordable_level(mesh, levels), .asked_level = levels};
     hs_reference reference = {0};
-    if (!refine(&reference, mesh, surface->level, err)) {
+    if (!refine(&reference, mesh, boundary, surface->level, err)) {
         hs_reference_free(&reference);
         return false;
     }
@@ -97,8 +98,8 @@ struct hs_run_pictures {
     hs_reference_surface surface; /* no faces: there is none */
 };
 
-hs_run_pictures *hs_run_pictures_new(const hs_mesh *mesh, uint32_t width, uint32_t height,
-                                     uint32_t levels, hs_error *err) {
+hs_run_pictures *hs_run_pictures_new(const hs_mesh *mesh, hs_boundary boundary, uint32_t width,
+                                     uint32_t height, uint32_t levels, hs_error *err) {
     hs_run_pictures *pictures = calloc(1, sizeof *pictures);
     if (!pictures) {
         hs_fail(err, HS_EXIT_INTERNAL, "no memory for pictures");
@@ -107,7 +108,7 @@ hs_run_pictures *hs_run_pictures_new(const hs_mesh *mesh, uint32_t width, uint32
     pictures->mesh = mesh;
     pictures->renderer = hs_renderer_new(width, height, SAMPLES, err);
     if (pictures->renderer &&
-        (levels == 0 || hs_reference_surface_make(&pictures->surface, mesh, levels, err)))
+        (levels == 0 || hs_reference_surface_make(&pictures->surface, mesh, boundary, levels, err)))
         return pictures;
     hs_run_pictures_free(pictures);
     return NULL;

@@ -42,11 +42,11 @@ typedef struct hs_reference_surface {
 } hs_reference_surface;
 
 /* Refines a mesh uniformly, so many levels or as many as HS_REFERENCE_SURFACE_FACES allows: by
- * formula (1) of the paper where the mesh is closed, and by steps that keep the boundary's edges,
- * as the pipeline does, where it is open. On failure *surface is empty (HS_EXIT_INTERNAL: memory).
+ * Catmull-Clark, or, in the boundary mode `kept` where the mesh is open, by steps that keep the
+ * boundary's edges, as the pipeline does. On failure *surface is empty (HS_EXIT_INTERNAL: memory).
  */
-bool hs_reference_surface_make(hs_reference_surface *surface, const hs_mesh *mesh, uint32_t levels,
-                               hs_error *err);
+bool hs_reference_surface_make(hs_reference_surface *surface, const hs_mesh *mesh,
+                               hs_boundary boundary, uint32_t levels, hs_error *err);
 void hs_reference_surface_free(hs_reference_surface *surface);
 
 /* --- The pictures of a run -------------------------------------------------------------------- */
@@ -80,8 +80,8 @@ typedef struct hs_run_pictures hs_run_pictures;
 
 /* A context for the views of one mesh. levels: of the reference surface; 0: none. The mesh must
  * outlive it. NULL, with the reason, as hs_renderer_new. */
-hs_run_pictures *hs_run_pictures_new(const hs_mesh *mesh, uint32_t width, uint32_t height,
-                                     uint32_t levels, hs_error *err);
+hs_run_pictures *hs_run_pictures_new(const hs_mesh *mesh, hs_boundary boundary, uint32_t width,
+                                     uint32_t height, uint32_t levels, hs_error *err);
 
 /* The reference surface, to say what it is; NULL if there is none. */
 const hs_reference_surface *hs_run_pictures_reference(const hs_run_pictures *pictures);

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "run.h"
+#include "surface_options.h"
 
 /* The engine whose counts the table shows: what golden says holds. */
 static const hs_engine_result *shown_engine(const hs_run_view *view) {
@@ -24,12 +25,17 @@ static bool has_rtl(const hs_run *run) {
 
 void hs_run_table_head(const hs_run *run) {
     const hs_run_request *r = run->request;
-    char how[80], engines[80] = "";
+    char how[200], engines[80] = "";
     if (r->settings.uniform)
         snprintf(how, sizeof how, "uniform %u", r->settings.uniform_depth);
     else
         snprintf(how, sizeof how, "front %u, silhouette %u, guard %d", r->settings.front_depth,
                  r->settings.silhouette_depth, r->settings.guard);
+    snprintf(how + strlen(how), sizeof how - strlen(how), ", boundary %s%s",
+             hs_boundary_name(r->settings.boundary), r->settings.limit ? ", limit" : "");
+    if (r->settings.min_edge)
+        snprintf(how + strlen(how), sizeof how - strlen(how), ", edges of %g px",
+                 (double)r->settings.min_edge / HS_PIXEL_FRACTION);
     for (int e = 0; e < HS_ENGINES; e++)
         if (r->engines >> e & 1)
             snprintf(engines + strlen(engines), sizeof engines - strlen(engines), "%s%s",
@@ -173,7 +179,10 @@ void hs_run_print_rerun(const hs_run *run, uint32_t number, uint64_t cycle) {
     else
         fprintf(stderr, " --front %u --silhouette %u", r->settings.front_depth,
                 r->settings.silhouette_depth);
-    fprintf(stderr, " --guard %d", r->settings.guard);
+    fprintf(stderr, " --guard %d --boundary %s%s", r->settings.guard,
+            hs_boundary_name(r->settings.boundary), r->settings.limit ? " --limit" : "");
+    if (r->settings.min_edge)
+        fprintf(stderr, " --min-edge-px %g", (double)r->settings.min_edge / HS_PIXEL_FRACTION);
     if (r->force) {
         fputs(" --force", stderr);
         print_word(r->force);

@@ -131,6 +131,7 @@ static bool finish_pipeline(work *w, enum hs_engine engine, hs_error *err) {
     result->vertices = output->vertices;
     result->faces = output->faces;
     result->triangles = output->triangles;
+    result->at_level = output->at_level;
     return true;
 }
 

@@ -14,6 +14,8 @@
  *   stalls IN OUT SEED       pauses of the rtl's streams, before the first view
  *   front N, silhouette N, guard 0|1, uniform N|no
  *                            settings of the views that follow (4, 8, 1, no)
+ *   boundary MODE, limit 0|1 likewise: kept, smooth or edge-only (smooth), limit positions (0)
+ *   edge LENGTH WIDTH HEIGHT likewise: least edge in sixteenths of a pixel of a picture (0: none)
  *   force FIRST-LAST DEPTH   forced depths of faces, from 1, in the views that follow
  *   matrix M00 M01 .. M33    a view; views are numbered from 0
  *   word POSITION VALUE      puts a word (decimal or 0x...) into the packet of the view before

@@ -9,6 +9,7 @@
 #include "file.h"
 #include "mesh_source.h"
 #include "options.h"
+#include "surface_options.h"
 #include "trace.h"
 
 static const size_t TEXT_LIMIT = 1 << 20;
@@ -92,6 +93,17 @@ static bool set_depth(compiler *c, char **rest, uint8_t *depth) {
     return true;
 }
 
+static bool set_edge(compiler *c, char **rest) {
+    uint32_t edge, width, height;
+    if (!take_number(c, rest, UINT16_MAX, &edge) || !take_number(c, rest, UINT16_MAX, &width) ||
+        !take_number(c, rest, UINT16_MAX, &height))
+        return false;
+    c->settings.min_edge = (uint16_t)edge;
+    c->settings.width = (uint16_t)width;
+    c->settings.height = (uint16_t)height;
+    return true;
+}
+
 static bool set_run(compiler *c, const char *keyword, char **rest) {
     hs_trace *trace = c->trace;
     if (trace->input.packets) return fail(c, "has to stand before the first view");
@@ -115,9 +127,24 @@ static bool set_run(compiler *c, const char *keyword, char **rest) {
 
 static bool compile_line(compiler *c, char *line) {
     static const char *const keywords[] = {
-        "mesh",    "limit-vertices", "limit-quads", "stalls", "front", "silhouette", "guard",
-        "uniform", "force",          "matrix",      "word",   "crc",   "cut",        NULL};
-    enum { MESH, VERTICES, QUADS, STALLS, FRONT, SILHOUETTE, GUARD, UNIFORM, FORCE, MATRIX };
+        "mesh",   "limit-vertices", "limit-quads", "stalls", "front", "silhouette",
+        "guard",  "uniform",        "boundary",    "limit",  "edge",  "force",
+        "matrix", "word",           "crc",         "cut",    NULL};
+    enum {
+        MESH,
+        VERTICES,
+        QUADS,
+        STALLS,
+        FRONT,
+        SILHOUETTE,
+        GUARD,
+        UNIFORM,
+        BOUNDARY,
+        LIMIT,
+        EDGE,
+        FORCE,
+        MATRIX
+    };
     line[strcspn(line, "#\r")] = 0;
     line += strspn(line, " \t");
     size_t length = strlen(line);
@@ -155,6 +182,15 @@ static bool compile_line(compiler *c, char *line) {
         c->settings.uniform = strcmp(rest, "no") != 0;
         c->settings.uniform_depth = 0;
         return !c->settings.uniform || set_depth(c, &rest, &c->settings.uniform_depth);
+    case BOUNDARY:
+        return hs_boundary_parse(rest, &c->settings.boundary) ||
+               fail(c, "boundary should be kept, smooth or edge-only");
+    case LIMIT:
+        if (!take_number(c, &rest, 1, &flag)) return false;
+        c->settings.limit = flag;
+        return true;
+    case EDGE:
+        return set_edge(c, &rest);
     case FORCE:
         return hs_mesh_force_line(&c->mesh, rest, c->where, c->err);
     case MATRIX:
@@ -173,7 +209,10 @@ bool hs_trace_compile(hs_trace *trace, const char *folder, hs_error *err) {
     if (!hs_file_read(path, TEXT_LIMIT, &bytes, &size, err)) return false;
     char where[320];
     compiler c = {.trace = trace,
-                  .settings = {.front_depth = 4, .silhouette_depth = 8, .guard = true},
+                  .settings = {.front_depth = 4,
+                               .silhouette_depth = 8,
+                               .guard = true,
+                               .boundary = HS_BOUNDARY_SMOOTH},
                   .where = where,
                   .err = err};
     char *rest = (char *)bytes, *line;
