@@ -5,7 +5,8 @@
  *   2. drop the vertices that no face uses, renumber the others, lay the half-edges out;
  *   3. sort the half-edges by the vertex that they leave (by counting);
  *   4. pair: the twin of u->v is the half-edge v->u among those that leave v;
- *   5. check that the faces around every vertex are one fan.
+ *   5. check that the faces around every vertex are one fan;
+ *   6. make tagged edges and vertices sharp.
  * Every half-edge leaves one vertex and arrives at one, so steps 3 to 5 are O(half-edges).
  */
 #include "mesh.h"
@@ -341,12 +342,83 @@ static bool check_fans(builder *b) {
     return true;
 }
 
+/* --- 6. Sharp edges and vertices ------------------------------------------------------------- */
+
+/* "the crease 3-7" or "the corner 3"; as the tag has them, so from 0. */
+static label tag_label(const hs_sharp_tag *tag) {
+    label name;
+    if (tag->v == tag->w)
+        snprintf(name.text, sizeof name.text, "the corner %u", tag->v);
+    else
+        snprintf(name.text, sizeof name.text, "the crease %u-%u", tag->v, tag->w);
+    return name;
+}
+
+/* What a tag says, in the mesh's numbers. */
+static bool read_sharpness(builder *b, const hs_sharp_tag *tag, uint8_t *sharpness) {
+    const float s = tag->sharpness, whole = b->soup->round_sharpness ? floorf(s + 0.5f) : floorf(s);
+    if (!(s >= 0))
+        return fail_at(b, tag->line, "%s has the sharpness %g; give a number of levels, 0 or more",
+                       tag_label(tag).text, (double)s);
+    *sharpness = HS_SHARP_INFINITE;
+    if (whole > HS_MAX_SHARPNESS) return true;
+    if (!b->soup->round_sharpness && whole < s)
+        return fail_at(b, tag->line,
+                       "%s has the sharpness %g, but only whole levels are refined; round it, or "
+                       "let --round-sharpness do it",
+                       tag_label(tag).text, (double)s);
+    *sharpness = (uint8_t)whole;
+    return true;
+}
+
+/* The half-edge v -> w, or HS_BORDER. */
+static uint32_t find_halfedge(const builder *b, uint32_t v, uint32_t w) {
+    for (uint32_t i = b->fan[v]; i < b->fan[v + 1]; i++)
+        if (b->mesh->origin[hs_next(b->mesh, b->leaving[i])] == w) return b->leaving[i];
+    return HS_BORDER;
+}
+
+static bool apply_tag(builder *b, const hs_sharp_tag *tag) {
+    const hs_soup *soup = b->soup;
+    const uint32_t largest = tag->v > tag->w ? tag->v : tag->w;
+    uint8_t sharpness;
+    if (!read_sharpness(b, tag, &sharpness)) return false;
+    if (largest >= soup->vertices)
+        return fail_at(b, tag->line,
+                       "%s names vertex %u, but the last one is %u (tags count from 0); correct "
+                       "the number",
+                       tag_label(tag).text, largest, soup->vertices - 1);
+    if (b->valence[tag->v] == 0 || b->valence[tag->w] == 0)
+        return fail_at(b, tag->line, "%s names a vertex that no face uses; remove the tag",
+                       tag_label(tag).text);
+    const uint32_t v = b->number[tag->v], w = b->number[tag->w];
+    if (v == w) {
+        b->mesh->vertex_sharpness[v] = sharpness;
+        return true;
+    }
+    const uint32_t h = find_halfedge(b, v, w), t = find_halfedge(b, w, v);
+    if (h == (uint32_t)HS_BORDER && t == (uint32_t)HS_BORDER)
+        return fail_at(b, tag->line,
+                       "%s: no edge joins the two vertices (tags count from 0); correct the "
+                       "numbers, or remove the tag",
+                       tag_label(tag).text);
+    if (h != (uint32_t)HS_BORDER) b->mesh->sharpness[h] = sharpness;
+    if (t != (uint32_t)HS_BORDER) b->mesh->sharpness[t] = sharpness;
+    return true;
+}
+
+static bool apply_tags(builder *b) {
+    for (uint32_t i = 0; i < b->soup->tags; i++)
+        if (!apply_tag(b, &b->soup->tag[i])) return false;
+    return true;
+}
+
 bool hs_mesh_build(hs_mesh *mesh, const hs_soup *soup, uint32_t *dropped, hs_error *err) {
     memset(mesh, 0, sizeof *mesh);
     builder b = {.soup = soup, .mesh = mesh, .err = err};
     uint32_t corners;
     bool good = check_faces(&b, &corners) && keep_used_vertices(&b) && lay_out(&b, corners) &&
-                sort_by_origin(&b) && pair_halfedges(&b) && check_fans(&b);
+                sort_by_origin(&b) && pair_halfedges(&b) && check_fans(&b) && apply_tags(&b);
     free_builder(&b);
     if (!good) hs_mesh_free(mesh);
     if (dropped != NULL) *dropped = good ? soup->vertices - mesh->vertices : 0;

@@ -89,6 +89,14 @@ static uint32_t count_components(const hs_mesh *mesh, uint8_t *seen, uint32_t *w
     return components;
 }
 
+static void count_sharp(hs_mesh_info *info, const hs_mesh *mesh) {
+    for (uint32_t h = 0; mesh->sharpness && h < mesh->halfedges; h++)
+        if (mesh->sharpness[h] && (is_border(mesh, h) || h < mesh->twin[h]))
+            info->creases[mesh->sharpness[h]]++;
+    for (uint32_t v = 0; mesh->vertex_sharpness && v < mesh->vertices; v++)
+        if (mesh->vertex_sharpness[v]) info->corners[mesh->vertex_sharpness[v]]++;
+}
+
 bool hs_mesh_measure(hs_mesh_info *info, const hs_mesh *mesh, hs_error *err) {
     memset(info, 0, sizeof *info);
     uint8_t *valence = calloc(mesh->vertices + (size_t)1, 1);
@@ -104,6 +112,7 @@ bool hs_mesh_measure(hs_mesh_info *info, const hs_mesh *mesh, hs_error *err) {
         for (uint32_t f = 0; f < mesh->faces; f++)
             info->sides[hs_sides(mesh, f)]++;
         count_edges(info, mesh);
+        count_sharp(info, mesh);
         measure_box(info, mesh);
         count_valences(info, mesh, valence, on_boundary);
         info->boundary_loops = count_loops(mesh, border_seen);

@@ -21,6 +21,8 @@ typedef struct hs_mesh_info {
      * one on the boundary has one edge more. */
     uint32_t boundary_valence[HS_INFO_BINS];
     uint32_t boundary_edges, boundary_loops;
+    /* Sharp edges and vertices, by their sharpness. Boundary edges count where they are tagged. */
+    uint32_t creases[HS_SHARP_INFINITE + 1], corners[HS_SHARP_INFINITE + 1];
     uint32_t components;         /* parts that no edge connects */
     int32_t euler;               /* vertices - edges + faces */
     float lowest[4], highest[4]; /* bounding box of x, y, z and w as they are, not divided by w */

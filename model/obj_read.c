@@ -13,6 +13,7 @@
 
 #include "file.h"
 #include "obj.h"
+#include "obj_tags.h"
 
 /* So that line numbers, counts and indices of a file all fit 32 bits. */
 #define SIZE_LIMIT ((size_t)1 << 31)
@@ -29,6 +30,9 @@ typedef struct reader {
     uint32_t vertices, faces, corners;
     float *position; /* 4 per vertex */
     uint32_t *vertex_line, *face_line, *sides, *corner;
+
+    hs_obj_tags tags;
+    bool round_sharpness;
 
     hs_obj_notes notes;
     hs_error *err;
@@ -205,6 +209,23 @@ static bool read_face(reader *r) {
     return true;
 }
 
+/* --- t --------------------------------------------------------------------------------------- */
+
+static bool read_tags(reader *r) {
+    char why[200];
+    switch (hs_obj_tags_read(&r->tags, r->rest, r->line, r->c_locale, why, sizeof why)) {
+    case HS_TAGS_READ:
+        return true;
+    case HS_TAGS_OTHER:
+        note(r, &r->notes.tags);
+        return true;
+    case HS_TAGS_WRONG:
+        return fail_here(r, "%s", why);
+    default:
+        return exhausted(r);
+    }
+}
+
 /* --- The file -------------------------------------------------------------------------------- */
 
 static bool is_skipped(const char *keyword) {
@@ -219,9 +240,8 @@ static bool read_line(reader *r) {
     const char *keyword = take_word(r);
     if (strcmp(keyword, "v") == 0) return read_vertex(r);
     if (strcmp(keyword, "f") == 0) return read_face(r);
-    if (strcmp(keyword, "t") == 0) {
-        note(r, &r->notes.tags);
-    } else if (*keyword != 0 && !is_skipped(keyword)) {
+    if (strcmp(keyword, "t") == 0) return read_tags(r);
+    if (*keyword != 0 && !is_skipped(keyword)) {
         note(r, &r->notes.unknown);
         if (r->notes.unknown.count == 1)
             snprintf(r->notes.unknown_word, sizeof r->notes.unknown_word, "%s",
@@ -263,10 +283,16 @@ static bool make_mesh(reader *r, hs_mesh *mesh) {
                     .sides = r->sides,
                     .corner = r->corner,
                     .vertex_line = r->vertex_line,
-                    .face_line = r->face_line};
+                    .face_line = r->face_line,
+                    .tags = r->tags.count,
+                    .tag = r->tags.tag,
+                    .round_sharpness = r->round_sharpness};
     uint32_t dropped;
     if (!hs_mesh_build(mesh, &soup, &dropped, r->err)) return false;
-    if (note_unused(r, dropped)) return true;
+    if (note_unused(r, dropped) &&
+        (hs_obj_tags_repeated(&r->tags, &r->notes.repeated.count, &r->notes.repeated.line) ||
+         exhausted(r)))
+        return true;
     hs_mesh_free(mesh);
     return false;
 }
@@ -284,9 +310,15 @@ static bool read_text(reader *r, hs_mesh *mesh) {
 }
 
 bool hs_obj_parse(hs_mesh *mesh, const char *name, const char *text, size_t size,
-                  hs_obj_notes *notes, hs_error *err) {
+                  bool round_sharpness, hs_obj_notes *notes, hs_error *err) {
     memset(mesh, 0, sizeof *mesh);
-    reader r = {.name = name, .text = text, .size = size, .line = 1, .end_line = 1, .err = err};
+    reader r = {.name = name,
+                .text = text,
+                .size = size,
+                .line = 1,
+                .end_line = 1,
+                .round_sharpness = round_sharpness,
+                .err = err};
     bool good = read_text(&r, mesh);
     if (notes != NULL) *notes = r.notes;
     if (r.c_locale != (locale_t)0) freelocale(r.c_locale);
@@ -296,16 +328,18 @@ bool hs_obj_parse(hs_mesh *mesh, const char *name, const char *text, size_t size
     free(r.face_line);
     free(r.sides);
     free(r.corner);
+    hs_obj_tags_free(&r.tags);
     return good;
 }
 
-bool hs_obj_read(hs_mesh *mesh, const char *path, hs_obj_notes *notes, hs_error *err) {
+bool hs_obj_read(hs_mesh *mesh, const char *path, bool round_sharpness, hs_obj_notes *notes,
+                 hs_error *err) {
     uint8_t *bytes;
     size_t size;
     memset(mesh, 0, sizeof *mesh);
     if (notes != NULL) memset(notes, 0, sizeof *notes);
     if (!hs_file_read(path, SIZE_LIMIT - 1, &bytes, &size, err)) return false;
-    bool good = hs_obj_parse(mesh, path, (const char *)bytes, size, notes, err);
+    bool good = hs_obj_parse(mesh, path, (const char *)bytes, size, round_sharpness, notes, err);
     free(bytes);
     return good;
 }
@@ -320,7 +354,10 @@ bool hs_obj_note_text(const hs_obj_notes *notes, const char *name, uint32_t inde
     } kinds[] = {
         {&notes->unused, "vertex that no face uses was dropped",
          "vertices that no face uses were dropped", ""},
-        {&notes->tags, "tag ('t' line) was ignored", "tags ('t' lines) were ignored", ""},
+        {&notes->repeated, "tag names an edge or vertex again; the last one counts",
+         "tags name an edge or vertex again; the last one counts", ""},
+        {&notes->tags, "tag ('t' line) is neither crease nor corner, and was ignored",
+         "tags ('t' lines) are neither crease nor corner, and were ignored", ""},
         {&notes->unknown, "line with an unknown keyword was ignored",
          "lines with unknown keywords were ignored", suffix},
     };

@@ -29,7 +29,23 @@ typedef struct shape {
     const float *position;
     const uint32_t *first, *corner;
     bool always_w;
+    const hs_mesh *tagged; /* NULL: without tags */
 } shape;
+
+static unsigned written(uint8_t sharpness) {
+    return sharpness == HS_SHARP_INFINITE ? 10 : sharpness;
+}
+
+/* Each edge once. */
+static void write_tags(FILE *file, const hs_mesh *mesh) {
+    for (uint32_t h = 0; h < mesh->halfedges; h++)
+        if (mesh->sharpness[h] && (mesh->twin[h] == HS_BORDER || h < mesh->twin[h]))
+            fprintf(file, "t crease 2/1/0 %u %u %u\n", mesh->origin[h],
+                    mesh->origin[hs_next(mesh, h)], written(mesh->sharpness[h]));
+    for (uint32_t v = 0; v < mesh->vertices; v++)
+        if (mesh->vertex_sharpness[v])
+            fprintf(file, "t corner 1/1/0 %u %u\n", v, written(mesh->vertex_sharpness[v]));
+}
 
 static bool write_shape(const char *path, const shape *s, hs_error *err) {
     hs_file file;
@@ -46,18 +62,25 @@ static bool write_shape(const char *path, const shape *s, hs_error *err) {
         write_vertex(file.stream, p, s->always_w || p[3] != 1.0F);
     }
     write_faces(file.stream, s->faces, s->first, s->corner);
+    if (s->tagged && s->tagged->sharpness && s->tagged->vertex_sharpness)
+        write_tags(file.stream, s->tagged);
     uselocale(previous);
     freelocale(c_locale);
     return hs_file_commit(&file, err);
 }
 
 bool hs_obj_write_mesh(const char *path, const hs_mesh *mesh, hs_error *err) {
-    shape s = {mesh->vertices, mesh->faces, mesh->position, mesh->first, mesh->origin, false};
+    shape s = {mesh->vertices, mesh->faces, mesh->position, mesh->first, mesh->origin, false, mesh};
     return write_shape(path, &s, err);
 }
 
 bool hs_obj_write_output(const char *path, const hs_output *output, hs_error *err) {
-    shape s = {output->vertices, output->faces,  output->position,
-               output->first,    output->corner, true};
+    shape s = {output->vertices,
+               output->faces,
+               output->position,
+               output->first,
+               output->corner,
+               true,
+               NULL};
     return write_shape(path, &s, err);
 }

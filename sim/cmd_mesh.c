@@ -32,10 +32,25 @@ static void print_histogram(const char *name, const uint32_t *bin) {
     printf("\n");
 }
 
-static bool print_info(const char *source, hs_error *err) {
+/* "creases  1: 4  forever: 12": how many edges or vertices are sharp for so many levels. */
+static void print_sharp(const char *name, const uint32_t count[HS_SHARP_INFINITE + 1]) {
+    bool any = false;
+    for (uint32_t s = 1; s <= HS_SHARP_INFINITE; s++) {
+        if (count[s] == 0) continue;
+        if (!any) printf("%-12s", name);
+        any = true;
+        if (s == HS_SHARP_INFINITE)
+            printf(" for ever: %u ", count[s]);
+        else
+            printf(" %u: %u ", s, count[s]);
+    }
+    if (any) printf("\n");
+}
+
+static bool print_info(const char *source, bool round_sharpness, hs_error *err) {
     hs_mesh mesh;
     hs_mesh_info info;
-    if (!hs_mesh_open(&mesh, source, false, err)) return false;
+    if (!hs_mesh_open(&mesh, source, round_sharpness, false, err)) return false;
     const bool good = hs_mesh_measure(&info, &mesh, err);
     hs_mesh_free(&mesh);
     if (!good) return false;
@@ -49,6 +64,8 @@ static bool print_info(const char *source, hs_error *err) {
                info.boundary_loops, info.boundary_loops == 1 ? "" : "s");
     else
         printf("%-12s none: closed\n", "boundary");
+    print_sharp("creases", info.creases);
+    print_sharp("corners", info.corners);
     printf("%-12s %u component%s, Euler characteristic %d\n", "topology", info.components,
            info.components == 1 ? "" : "s", info.euler);
     for (int i = 0; i < 4; i++)
@@ -65,10 +82,14 @@ static int run_info(int argc, char **argv, hs_error *err) {
         1,
         -1,
         "Says what meshes are like, or what is wrong with them",
-        "sides: faces by their number of sides; valence: vertices by their number of faces.\n"
+        "sides: faces by their number of sides; valence: vertices by their number of faces;\n"
+        "creases, corners: sharp edges and vertices, by how many levels they stay so.\n"
         "A MESH is an OBJ file or shape:NAME[:SIZE[:SEED]].\n\n"
         "  halfstep mesh info shape:hand\n  halfstep mesh info models/*.obj\n"};
-    const hs_option option[] = {{0}};
+    bool round_sharpness = false;
+    const hs_option option[] = {{"round-sharpness", 0, HS_OPTION_FLAG, NULL, &round_sharpness, 0, 0,
+                                 NULL, "round fractions of a sharpness, halves up"},
+                                {0}};
     int operand;
     const enum hs_parsed parsed = hs_options_parse(&command, option, argc, argv, &operand, err);
     if (parsed == HS_PARSED_HELP) return HS_EXIT_OK;
@@ -77,7 +98,7 @@ static int run_info(int argc, char **argv, hs_error *err) {
     int code = HS_EXIT_OK;
     for (int i = operand; i < argc; i++) {
         if (i > operand) printf("\n");
-        if (print_info(argv[i], err)) continue;
+        if (print_info(argv[i], round_sharpness, err)) continue;
         fflush(stdout);
         fprintf(stderr, "halfstep: %s\n", err->text);
         code = err->code;
@@ -139,7 +160,7 @@ static int run_make(int argc, char **argv, hs_error *err) {
     hs_mesh mesh;
     char source[100];
     snprintf(source, sizeof source, "shape:%.40s:%u:%u", argv[operand], size, seed);
-    if (!hs_mesh_open(&mesh, source, true, err)) return err->code;
+    if (!hs_mesh_open(&mesh, source, false, true, err)) return err->code;
     const int code = write_mesh(&mesh, path, err);
     hs_mesh_free(&mesh);
     return code;
@@ -151,16 +172,19 @@ static int run_convert(int argc, char **argv, hs_error *err) {
         "MESH FILE",
         2,
         2,
-        "Reads a mesh, checks it, and writes it as plain OBJ: v and f lines alone",
+        "Reads a mesh, checks it, and writes it as plain OBJ: v, f and t lines alone",
         "Reading the result gives the same mesh, bit for bit.\n\n"
         "  halfstep mesh convert scan.obj clean.obj\n"};
-    const hs_option option[] = {{0}};
+    bool round_sharpness = false;
+    const hs_option option[] = {{"round-sharpness", 0, HS_OPTION_FLAG, NULL, &round_sharpness, 0, 0,
+                                 NULL, "round fractions of a sharpness, halves up"},
+                                {0}};
     int operand;
     const enum hs_parsed parsed = hs_options_parse(&command, option, argc, argv, &operand, err);
     if (parsed == HS_PARSED_HELP) return HS_EXIT_OK;
     if (parsed == HS_PARSED_WRONG) return err->code;
     hs_mesh mesh;
-    if (!hs_mesh_open(&mesh, argv[operand], false, err)) return err->code;
+    if (!hs_mesh_open(&mesh, argv[operand], round_sharpness, false, err)) return err->code;
     const int code = write_mesh(&mesh, argv[operand + 1], err);
     hs_mesh_free(&mesh);
     return code;

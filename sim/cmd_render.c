@@ -48,6 +48,7 @@ typedef struct request {
     uint32_t orbit, view, turn, width, height, samples, levels, columns;
     bool views_given, orbit_given, view_given, depths_given; /* depths: anything that refines */
     bool quiet;
+    bool round_sharpness;
     hs_settings settings;
 } request;
 
@@ -165,6 +166,8 @@ static enum hs_parsed parse(request *r, int argc, char **argv, hs_error *err) {
          "kept, smooth or edge-only (smooth)"},
         {"limit", 0, HS_OPTION_FLAG, NULL, &t.surface.limit, 0, 0, NULL,
          "vertices at their limit positions"},
+        {"round-sharpness", 0, HS_OPTION_FLAG, NULL, &r->round_sharpness, 0, 0, NULL,
+         "round fractions of a sharpness, halves up"},
         {"guard", 'g', HS_OPTION_NUMBER, "0|1", &t.guard, 0, 1, &t.guard_given,
          "refine the ring around selected faces as well (1)"},
         {"uniform", 'u', HS_OPTION_NUMBER, "DEPTH", &t.uniform, 0, HS_MAX_DEPTH, &t.uniform_given,
@@ -216,7 +219,7 @@ static bool choose_view(float matrix[16], const request *r, uint32_t number, con
 }
 
 static bool open_mesh(scene *s, const request *r, hs_error *err) {
-    if (!hs_mesh_open(&s->mesh, r->source, r->quiet, err)) return false;
+    if (!hs_mesh_open(&s->mesh, r->source, r->round_sharpness, r->quiet, err)) return false;
     if (r->force && !hs_mesh_force(&s->mesh, r->force, err)) return false;
     s->settings = r->settings;
     s->forced = r->force != NULL;

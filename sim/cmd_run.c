@@ -172,6 +172,8 @@ static enum hs_parsed parse(hs_run_request *r, int argc, char **argv, hs_error *
          "kept, smooth or edge-only (smooth)"},
         {"limit", 'l', HS_OPTION_FLAG, NULL, &t.surface.limit, 0, 0, NULL,
          "send vertices at their limit positions"},
+        {"round-sharpness", 0, HS_OPTION_FLAG, NULL, &r->round_sharpness, 0, 0, NULL,
+         "round fractions of a sharpness, halves up"},
         {"force", 0, HS_OPTION_TEXT, "FILE", &r->force, 0, 0, NULL,
          "depths for single faces: lines `FIRST-LAST DEPTH`,\nfaces from 1 as in the mesh"},
         {"engine", 'e', HS_OPTION_TEXT, "LIST", &t.engines, 0, 0, NULL,
@@ -259,7 +261,7 @@ static bool open_views(hs_run *run, hs_error *err) {
 
 static bool prepare(hs_run *run, hs_error *err) {
     const hs_run_request *r = run->request;
-    if (!hs_mesh_open(&run->mesh, r->mesh, r->quiet, err)) return false;
+    if (!hs_mesh_open(&run->mesh, r->mesh, r->round_sharpness, r->quiet, err)) return false;
     if (r->force && !hs_mesh_force(&run->mesh, r->force, err)) return false;
     if (!open_views(run, err)) return false;
     run->depth = hs_view_depth(&r->settings, &run->mesh);

@@ -38,11 +38,12 @@ static bool open_shape(hs_mesh *mesh, const char *source, hs_error *err) {
     return hs_shape_make(mesh, part[0], size, seed, err);
 }
 
-bool hs_mesh_open(hs_mesh *mesh, const char *source, bool quiet, hs_error *err) {
+bool hs_mesh_open(hs_mesh *mesh, const char *source, bool round_sharpness, bool quiet,
+                  hs_error *err) {
     *mesh = (hs_mesh){0};
     if (strncmp(source, "shape:", 6) == 0) return open_shape(mesh, source, err);
     hs_obj_notes notes = {0};
-    if (!hs_obj_read(mesh, source, &notes, err)) return false;
+    if (!hs_obj_read(mesh, source, round_sharpness, &notes, err)) return false;
     char text[500];
     for (uint32_t i = 0; !quiet && hs_obj_note_text(&notes, source, i, text, sizeof text); i++)
         fprintf(stderr, "note: %s\n", text);

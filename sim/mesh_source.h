@@ -8,8 +8,10 @@
 
 #include "mesh.h"
 
-/* Opens a mesh; notes of an OBJ file go to stderr unless quiet. On failure *mesh is empty. */
-bool hs_mesh_open(hs_mesh *mesh, const char *source, bool quiet, hs_error *err);
+/* Opens a mesh; notes of an OBJ file go to stderr unless quiet, and fractions of a sharpness are
+ * refused unless they may be rounded. On failure *mesh is empty. */
+bool hs_mesh_open(hs_mesh *mesh, const char *source, bool round_sharpness, bool quiet,
+                  hs_error *err);
 
 /* Sets mesh->forced from a text file. A line is `FACE DEPTH` or `FIRST-LAST DEPTH`; faces count
  * from 1 in the order of the mesh, depths go to HS_MAX_DEPTH; # begins a comment; of lines for the

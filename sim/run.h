@@ -43,7 +43,7 @@ typedef struct hs_run_request {
     hs_limits limits;
     hs_stalls stalls;
     uint32_t wave_first, wave_last; /* cycles of the view */
-    bool quiet;
+    bool round_sharpness, quiet;
 } hs_run_request;
 
 /* What one engine made of one view. */

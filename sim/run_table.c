@@ -183,6 +183,7 @@ void hs_run_print_rerun(const hs_run *run, uint32_t number, uint64_t cycle) {
             hs_boundary_name(r->settings.boundary), r->settings.limit ? " --limit" : "");
     if (r->settings.min_edge)
         fprintf(stderr, " --min-edge-px %g", (double)r->settings.min_edge / HS_PIXEL_FRACTION);
+    if (r->round_sharpness) fputs(" --round-sharpness", stderr);
     if (r->force) {
         fputs(" --force", stderr);
         print_word(r->force);

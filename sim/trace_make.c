@@ -110,7 +110,7 @@ static bool set_run(compiler *c, const char *keyword, char **rest) {
     const uint32_t most = 1u << HS_INDEX_BITS;
     if (strcmp(keyword, "mesh") == 0) {
         if (c->mesh.faces) return fail(c, "a second mesh; a trace has one");
-        return hs_mesh_open(&c->mesh, *rest + strspn(*rest, " \t"), true, c->err);
+        return hs_mesh_open(&c->mesh, *rest + strspn(*rest, " \t"), false, true, c->err);
     }
     if (strcmp(keyword, "limit-vertices") == 0)
         return take_number(c, rest, most, &trace->limits.vertices);

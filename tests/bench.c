@@ -144,7 +144,7 @@ int main(void) {
     hs_mesh mesh;
     hs_error err;
     const char *name = MESH;
-    if (!hs_obj_read(&mesh, MESH, NULL, &err)) {
+    if (!hs_obj_read(&mesh, MESH, false, NULL, &err)) {
         name = "torus, size 52"; /* 52 * 26 quads, about as many */
         quit_on(hs_shape_make(&mesh, "torus", 52, 0, &err), &err);
     }

@@ -113,7 +113,7 @@ static inline void add_files(samples *all) {
         char path[400];
         snprintf(path, sizeof path, MESH_FOLDER "/%s", entry->d_name);
         hs_error err;
-        if (hs_obj_read(&s->mesh, path, NULL, &err)) continue;
+        if (hs_obj_read(&s->mesh, path, false, NULL, &err)) continue;
         print_message("%s: skipped\n", err.text);
         all->count--;
     }

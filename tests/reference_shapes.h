@@ -196,7 +196,7 @@ static inline void read_tagged(hs_mesh *mesh, const char *path, uint32_t *tags) 
     text[size] = 0;
     *tags = take_tags(text, tag, 256);
     hs_error err;
-    if (!hs_obj_parse(mesh, path, text, size, NULL, &err)) fail_msg("%s", err.text);
+    if (!hs_obj_parse(mesh, path, text, size, false, NULL, &err)) fail_msg("%s", err.text);
     make_taggable(mesh);
     for (uint32_t i = 0; i < *tags; i++) {
         if (tag[i].v == tag[i].w)

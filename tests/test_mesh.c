@@ -39,8 +39,13 @@ static void begin(draft *d, uint32_t vertices) {
         d->position[4 * v + 3] = 1;
         d->vertex_line[v] = 101 + v;
     }
-    d->soup = (hs_soup){"draft",  vertices,  d->position,    0,
-                        d->sides, d->corner, d->vertex_line, d->face_line};
+    d->soup = (hs_soup){.name = "draft",
+                        .vertices = vertices,
+                        .position = d->position,
+                        .sides = d->sides,
+                        .corner = d->corner,
+                        .vertex_line = d->vertex_line,
+                        .face_line = d->face_line};
 }
 
 static void add_face(draft *d, uint32_t sides, const uint32_t *corner) {
@@ -423,7 +428,7 @@ static void assert_as_described(const char *path, const char *line) {
     hs_mesh mesh;
     hs_error err;
     hs_obj_notes notes;
-    if (!hs_obj_read(&mesh, path, &notes, &err)) fail_msg("%s", err.text);
+    if (!hs_obj_read(&mesh, path, false, &notes, &err)) fail_msg("%s", err.text);
     assert_half_edges_fit(&mesh);
     hs_mesh_info info;
     assert_true(hs_mesh_measure(&info, &mesh, &err));
@@ -446,7 +451,7 @@ static bool exists(const char *path) {
 static void assert_file_refused(const char *path) {
     hs_mesh mesh;
     hs_error err;
-    if (hs_obj_read(&mesh, path, NULL, &err)) fail_msg("%s was not refused", path);
+    if (hs_obj_read(&mesh, path, false, NULL, &err)) fail_msg("%s was not refused", path);
     assert_int_equal(err.code, HS_EXIT_MESH);
     char place[320];
     snprintf(place, sizeof place, "%s:", path);

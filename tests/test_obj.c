@@ -27,7 +27,7 @@ static hs_mesh parse(const char *text, hs_obj_notes *notes) {
     size_t size = strlen(text);
     char *exact = malloc(size + !size);
     memcpy(exact, text, size);
-    bool good = hs_obj_parse(&mesh, "a.obj", exact, size, notes, &err);
+    bool good = hs_obj_parse(&mesh, "a.obj", exact, size, false, notes, &err);
     free(exact);
     if (!good) fail_msg("%s\nin:\n%s", err.text, text);
     return mesh;
@@ -148,11 +148,118 @@ static void the_fourth_number_is_w_unless_there_are_more(void **state) {
     hs_mesh_free(&mesh);
 }
 
+/* --- Tags ------------------------------------------------------------------------------------- */
+
+#define STRIP "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 0\nf 1 2 5 4\nf 2 3 6 5\n"
+
+/* Of the edge from v to w, from 0. */
+static uint8_t sharpness_between(const hs_mesh *m, uint32_t v, uint32_t w) {
+    for (uint32_t h = 0; h < m->halfedges; h++)
+        if (m->origin[h] == v && m->origin[hs_next(m, h)] == w) {
+            if (m->twin[h] != (uint32_t)HS_BORDER)
+                assert_int_equal(m->sharpness[h], m->sharpness[m->twin[h]]);
+            return m->sharpness[h];
+        }
+    fail_msg("no half-edge from %u to %u", v, w);
+    return 0;
+}
+
+static void tags_make_edges_and_vertices_sharp(void **state) {
+    (void)state;
+    hs_obj_notes notes;
+    hs_mesh m = parse("t crease 2/1/0 4 1 3\n" STRIP "t crease 3/2/0 0 1 2 2.0 99\n"
+                      "t corner 2/1/0 0 4 1e30\nt crease 3/1/0 5 4 3 inf\n",
+                      &notes);
+    assert_int_equal(sharpness_between(&m, 1, 4), 3);
+    assert_int_equal(sharpness_between(&m, 0, 1), 2);
+    assert_int_equal(sharpness_between(&m, 1, 2), HS_SHARP_INFINITE);
+    assert_int_equal(sharpness_between(&m, 4, 3), HS_SHARP_INFINITE);
+    assert_int_equal(sharpness_between(&m, 5, 4), HS_SHARP_INFINITE);
+    assert_int_equal(sharpness_between(&m, 2, 5), 0);
+    for (uint32_t v = 0; v < 6; v++)
+        assert_int_equal(m.vertex_sharpness[v], v == 0 || v == 4 ? HS_SHARP_INFINITE : 0);
+    assert_int_equal(notes.repeated.count, 0);
+    assert_int_equal(notes.tags.count, 0);
+    hs_mesh_free(&m);
+}
+
+static void of_repeated_tags_the_last_one_counts(void **state) {
+    (void)state;
+    hs_obj_notes notes;
+    hs_mesh m = parse(STRIP "t crease 2/1/0 1 4 3\nt corner 1/1/0 2 4\nt crease 2/1/0 4 1 5\n"
+                            "t corner 1/1/0 2 0\nt crease 2/1/0 1 4 2\n",
+                      &notes);
+    assert_int_equal(sharpness_between(&m, 1, 4), 2);
+    assert_int_equal(m.vertex_sharpness[2], 0);
+    assert_int_equal(notes.repeated.count, 3);
+    assert_int_equal(notes.repeated.line, 11);
+    hs_mesh_free(&m);
+}
+
+static void fractions_are_refused_or_rounded_halves_up(void **state) {
+    (void)state;
+    static const struct {
+        const char *text;
+        uint8_t rounded;
+    } sample[] = {{"0.4", 0}, {"0.5", 1}, {"1.49", 1}, {"2.5", 3}, {"9.4", 9}, {"9.5", 15}};
+    for (size_t i = 0; i < sizeof sample / sizeof *sample; i++) {
+        char text[300];
+        hs_mesh m;
+        hs_error err;
+        snprintf(text, sizeof text, STRIP "t crease 2/1/0 1 4 %s\n", sample[i].text);
+        assert_false(hs_obj_parse(&m, "a.obj", text, strlen(text), false, NULL, &err));
+        assert_int_equal(err.code, HS_EXIT_MESH);
+        assert_non_null(strstr(err.text, "a.obj:9: the crease 1-4"));
+        assert_non_null(strstr(err.text, "--round-sharpness"));
+        assert_true(hs_obj_parse(&m, "a.obj", text, strlen(text), true, NULL, &err));
+        assert_int_equal(sharpness_between(&m, 1, 4), sample[i].rounded);
+        hs_mesh_free(&m);
+    }
+}
+
+static void bad_tags_are_refused_at_their_line(void **state) {
+    (void)state;
+    static const struct {
+        const char *tag, *says;
+    } bad[] = {
+        {"crease 2/1/0 0 4 1", "no edge joins"},
+        {"crease 2/1/0 0 9 1", "vertex 9, but the last one is 6"},
+        {"crease 2/1/0 0 4294967297 1", "vertex"},
+        {"corner 1/1/0 7 1", "vertex 7, but the last one is 6"},
+        {"corner 1/1/0 6 1", "no face uses"},
+        {"crease 2/1/0 1 4 -1", "sharpness -1"},
+        {"crease 2/1/0 1 4 nan", "sharpness nan"},
+        {"corner 1/1/0 1 -0.5", "sharpness -0.5"},
+        {"crease 2/1/0 1 4", "a sharpness is missing"},
+        {"crease 2/1/0 1", "a vertex number is missing"},
+        {"crease 2/1/0 1 -4 1", "a vertex number is missing"},
+        {"crease 2/1/0 1 1 1", "an edge needs two"},
+        {"crease 1/1/0 1 1", "do not fit"},
+        {"crease 3/3/0 0 1 2 1 1 1", "do not fit"},
+        {"corner 0/1/0 1", "do not fit"},
+        {"crease 2/1 1 4 1", "not of the form"},
+        {"crease 2/1/0 1 4 1 1", "more words"},
+        {"crease 2/1/0 1 4 x", "a sharpness is missing"},
+        {"", "no type"},
+    };
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        char text[300];
+        hs_mesh m;
+        hs_error err;
+        snprintf(text, sizeof text, STRIP "v 9 9 9\nt %s\n", bad[i].tag);
+        if (hs_obj_parse(&m, "a.obj", text, strlen(text), true, NULL, &err))
+            fail_msg("'t %s' was not refused", bad[i].tag);
+        assert_int_equal(err.code, HS_EXIT_MESH);
+        if (strncmp(err.text, "a.obj:10: ", 10) != 0 || !strstr(err.text, bad[i].says))
+            fail_msg("'t %s': '%s' does not say '%s'", bad[i].tag, err.text, bad[i].says);
+    }
+}
+
 static void what_is_passed_over_is_noted_with_its_first_line(void **state) {
     (void)state;
     hs_obj_notes notes;
-    hs_mesh mesh = parse("v 9 9 9\n" TRIANGLE "v 8 8 8\ncurv2 \\\n1\nt crease 2/1/0 0 1 2\n"
-                         "f 2 3 4\nt corner 1/1/0 0 2\nb\x01gus 1\n",
+    hs_mesh mesh = parse("v 9 9 9\n" TRIANGLE "v 8 8 8\ncurv2 \\\n1\nt smoothtriangles 1/0/0 2\n"
+                         "f 2 3 4\nt hole 1/0/0 2\nb\x01gus 1\n",
                          &notes);
     assert_int_equal(mesh.vertices, 3);
     assert_int_equal(notes.unused.count, 2);
@@ -165,7 +272,8 @@ static void what_is_passed_over_is_noted_with_its_first_line(void **state) {
     assert_true(hs_obj_note_text(&notes, "a.obj", 0, text, sizeof text));
     assert_string_equal(text, "a.obj:1: 2 vertices that no face uses were dropped");
     assert_true(hs_obj_note_text(&notes, "a.obj", 1, text, sizeof text));
-    assert_string_equal(text, "a.obj:8: 2 tags ('t' lines) were ignored");
+    assert_string_equal(
+        text, "a.obj:8: 2 tags ('t' lines) are neither crease nor corner, and were ignored");
     assert_true(hs_obj_note_text(&notes, "a.obj", 2, text, sizeof text));
     assert_string_equal(
         text, "a.obj:6: 2 lines with unknown keywords were ignored (the first is 'curv2')");
@@ -245,7 +353,7 @@ static void malformed_files_are_refused_with_line_and_cause(void **state) {
         size_t size = strlen(malformed[i].text);
         char *exact = malloc(size + !size);
         memcpy(exact, malformed[i].text, size);
-        bool good = hs_obj_parse(&mesh, "a.obj", exact, size, NULL, &err);
+        bool good = hs_obj_parse(&mesh, "a.obj", exact, size, false, NULL, &err);
         free(exact);
         if (good) fail_msg("not refused:\n%s", malformed[i].text);
         assert_int_equal(err.code, HS_EXIT_MESH);
@@ -269,7 +377,7 @@ static void a_file_that_is_not_there_is_no_mesh(void **state) {
     folder f = make_folder();
     hs_mesh mesh;
     hs_error err = {0};
-    assert_false(hs_obj_read(&mesh, inside(&f, "a.obj"), NULL, &err));
+    assert_false(hs_obj_read(&mesh, inside(&f, "a.obj"), false, NULL, &err));
     assert_int_equal(err.code, HS_EXIT_FILE);
     assert_non_null(strstr(err.text, inside(&f, "a.obj: cannot read: No such file")));
     assert_null(mesh.position);
@@ -281,7 +389,7 @@ static void binary_files_are_refused(void **state) {
     static const char text[] = TRIANGLE "f 1 2\0 3\n";
     hs_mesh mesh;
     hs_error err;
-    assert_false(hs_obj_parse(&mesh, "a.obj", text, sizeof text - 1, NULL, &err));
+    assert_false(hs_obj_parse(&mesh, "a.obj", text, sizeof text - 1, false, NULL, &err));
     assert_int_equal(err.code, HS_EXIT_MESH);
     assert_non_null(strstr(err.text, "a.obj:4: a zero byte"));
 }
@@ -294,10 +402,10 @@ static void long_names_and_words_do_not_crowd_out_the_cause(void **state) {
     memcpy(text, "v 1 2 ", 6);
     hs_mesh mesh;
     hs_error err;
-    assert_false(hs_obj_parse(&mesh, name, text, sizeof text, NULL, &err));
+    assert_false(hs_obj_parse(&mesh, name, text, sizeof text, false, NULL, &err));
     assert_non_null(strstr(err.text, "xxx' is not a number; a vertex is 'v x y z'"));
     memcpy(text, "f 1 2 ", 6);
-    assert_false(hs_obj_parse(&mesh, name, text, sizeof text, NULL, &err));
+    assert_false(hs_obj_parse(&mesh, name, text, sizeof text, false, NULL, &err));
     assert_non_null(strstr(err.text, "is not a corner of a face; write integers"));
 }
 
@@ -326,7 +434,7 @@ static void random_edits_give_a_mesh_or_a_message(void **state) {
         memcpy(exact, text, size);
         hs_mesh mesh;
         hs_error err = {0};
-        if (hs_obj_parse(&mesh, "a.obj", exact, size, NULL, &err)) {
+        if (hs_obj_parse(&mesh, "a.obj", exact, size, false, NULL, &err)) {
             accepted++;
             for (uint32_t h = 0; h < mesh.halfedges; h++)
                 assert_true(mesh.twin[h] == (uint32_t)HS_BORDER || mesh.twin[mesh.twin[h]] == h);
@@ -396,7 +504,7 @@ static void a_mesh_that_is_written_and_read_is_the_same_bit_for_bit(void **state
     hs_mesh before = random_strip(), after;
     hs_error err;
     assert_true(hs_obj_write_mesh(path, &before, &err));
-    assert_true(hs_obj_read(&after, path, NULL, &err));
+    assert_true(hs_obj_read(&after, path, false, NULL, &err));
     assert_same(&before, &after);
     hs_mesh_free(&after);
 
@@ -406,7 +514,7 @@ static void a_mesh_that_is_written_and_read_is_the_same_bit_for_bit(void **state
                         .first = before.first,
                         .corner = before.origin};
     assert_true(hs_obj_write_output(path, &output, &err));
-    assert_true(hs_obj_read(&after, path, NULL, &err));
+    assert_true(hs_obj_read(&after, path, false, NULL, &err));
     assert_same(&before, &after);
     hs_mesh_free(&after);
     hs_mesh_free(&before);
@@ -446,6 +554,10 @@ int main(void) {
         cmocka_unit_test(objects_and_groups_become_one_mesh),
         cmocka_unit_test(numbers_are_what_strtof_reads),
         cmocka_unit_test(the_fourth_number_is_w_unless_there_are_more),
+        cmocka_unit_test(tags_make_edges_and_vertices_sharp),
+        cmocka_unit_test(of_repeated_tags_the_last_one_counts),
+        cmocka_unit_test(fractions_are_refused_or_rounded_halves_up),
+        cmocka_unit_test(bad_tags_are_refused_at_their_line),
         cmocka_unit_test(what_is_passed_over_is_noted_with_its_first_line),
         cmocka_unit_test(malformed_files_are_refused_with_line_and_cause),
         cmocka_unit_test(a_file_that_is_not_there_is_no_mesh),

@@ -399,7 +399,7 @@ static void mesh_files_are_goldens_word_for_word(void **state) {
         hs_error err;
         char path[200];
         snprintf(path, sizeof path, "../shared/meshes/%s.obj", few[i]);
-        if (!hs_obj_read(&mesh, path, NULL, &err)) {
+        if (!hs_obj_read(&mesh, path, false, NULL, &err)) {
             if (err.code != HS_EXIT_FILE) fail_msg("%s", err.text);
             print_message("%s; skipped\n", err.text);
             continue;
