@@ -31,7 +31,7 @@ typedef struct hs_mesh {
     uint8_t *forced; /* faces: refine to this depth whatever the view; 0 unless set by the caller */
     /* How sharp edges and vertices are: for how many Catmull-Clark levels, 0 (smooth) to
      * HS_MAX_SHARPNESS, or HS_SHARP_INFINITE. A boundary edge's own number is without meaning. */
-    uint8_t *sharpness;        /* halfedges: of the edge, so that twins have the same; NULL: all 0 */
+    uint8_t *sharpness; /* halfedges: of the edge, so that twins have the same; NULL: all 0 */
     uint8_t *vertex_sharpness; /* vertices; NULL: all 0 */
 } hs_mesh;
 
@@ -66,8 +66,8 @@ typedef struct hs_soup {
     const uint32_t *corner; /* the faces' vertices, one face behind the other, from 0 */
     const uint32_t *vertex_line, *face_line; /* lines in the file, for messages; may be NULL */
     uint32_t tags;
-    const hs_sharp_tag *tag;   /* of the same edge or vertex the last one counts */
-    bool round_sharpness; /* to the nearest integer, halves up; else a fraction is an error */
+    const hs_sharp_tag *tag; /* of the same edge or vertex the last one counts */
+    bool round_sharpness;    /* to the nearest integer, halves up; else a fraction is an error */
 } hs_soup;
 
 /* Builds the half-edges of a face list and checks that it is an oriented 2-manifold in the limits

@@ -109,8 +109,8 @@ bool hs_packet_encode(hs_packet *packet, uint32_t view, const hs_mesh *mesh, con
     uint32_t *at = packet->word;
     at = put_record(at, HS_MAGIC_VIEW, HS_STREAM_VERSION, flags, mesh->vertices);
     at = put_record(at, mesh->faces, mesh->halfedges, depths, 0);
-    at = put_record(at, settings->min_edge,
-                    settings->width | (uint32_t)settings->height << 16, 0, 0);
+    at = put_record(at, settings->min_edge, settings->width | (uint32_t)settings->height << 16, 0,
+                    0);
 
     memcpy(at, matrix, 4 * 4 * HS_MATRIX_RECORDS);
     at += 4 * HS_MATRIX_RECORDS;

@@ -43,6 +43,9 @@ static result run_limited(const hs_mesh *mesh, const float matrix[16], const hs_
     return r;
 }
 
+/* Position of the first vertex. */
+enum { VERTICES_AT = 4 * (HS_HEADER_RECORDS + HS_MATRIX_RECORDS) };
+
 static result run(const hs_mesh *mesh, const float matrix[16], const hs_settings *settings) {
     return run_limited(mesh, matrix, settings, (hs_limits){1 << 20, 1 << 20}, NULL);
 }
@@ -306,7 +309,7 @@ static void valence_255_is_accepted_and_256_refused_at_its_corner(void **state) 
 
     make_round(&mesh, 256, false); /* its last triangle but one is the 256th above */
     expect_refusal(&mesh, perspective, HS_STATUS_BAD_VALENCE,
-                   24 + 4 * (mesh.vertices + 6 * 255 + 2));
+                   VERTICES_AT + 4 * (mesh.vertices + 6 * 255 + 2));
     hs_mesh_free(&mesh);
 }
 
@@ -488,9 +491,9 @@ static void rows_that_overflow_are_refused_at_their_word(void **state) {
         memcpy(mesh.position, torus->position, 16 * (size_t)mesh.vertices);
         for (uint32_t v = 0; v < mesh.vertices; v++)
             mesh.position[4 * v] = v == 11 ? 0.5f : v == 15 ? 3 : 0.25f;
-        expect_refusal(&mesh, matrix, HS_STATUS_OVERFLOW, 24 + 4 * 11 + row);
+        expect_refusal(&mesh, matrix, HS_STATUS_OVERFLOW, VERTICES_AT + 4 * 11 + row);
         mesh.position[4 * 7 + 2] = INFINITY;
-        expect_refusal(&mesh, matrix, HS_STATUS_BAD_NUMBER, 24 + 4 * 7 + 2);
+        expect_refusal(&mesh, matrix, HS_STATUS_BAD_NUMBER, VERTICES_AT + 4 * 7 + 2);
         matrix[9] = NAN;
         expect_refusal(&mesh, matrix, HS_STATUS_BAD_NUMBER, 8 + 9);
         free(mesh.position);

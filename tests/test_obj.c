@@ -475,12 +475,15 @@ static hs_mesh random_strip(void) {
         for (uint32_t i = 0; i < 4; i++)
             corner[4 * f + i] = 2 * f + offset[i];
     }
+    static const hs_sharp_tag tag[4] = {{2, 3, 9, 0}, {5, 4, 10, 0}, {0, 2, 1, 0}, {7, 7, 3, 0}};
     hs_soup soup = {.name = "strip",
                     .vertices = 2 * RUNGS,
                     .position = position,
                     .faces = RUNGS - 1,
                     .sides = sides,
-                    .corner = corner};
+                    .corner = corner,
+                    .tags = 4,
+                    .tag = tag};
     hs_mesh mesh;
     hs_error err;
     if (!hs_mesh_build(&mesh, &soup, NULL, &err)) fail_msg("%s", err.text);
@@ -495,6 +498,8 @@ static void assert_same(const hs_mesh *a, const hs_mesh *b) {
     assert_memory_equal(a->first, b->first, (a->faces + 1) * sizeof(uint32_t));
     assert_memory_equal(a->origin, b->origin, a->halfedges * sizeof(uint32_t));
     assert_memory_equal(a->twin, b->twin, a->halfedges * sizeof(uint32_t));
+    assert_memory_equal(a->sharpness, b->sharpness, a->halfedges);
+    assert_memory_equal(a->vertex_sharpness, b->vertex_sharpness, a->vertices);
 }
 
 static void a_mesh_that_is_written_and_read_is_the_same_bit_for_bit(void **state) {

@@ -115,24 +115,37 @@ static void an_input_packet_is_laid_out_as_documented(void **state) {
     hs_mesh mesh;
     make_cube(&mesh);
     mesh.forced[1] = 9;
+    mesh.sharpness[5] = 3;
+    mesh.sharpness[mesh.twin[5]] = 3;
+    mesh.vertex_sharpness[cube_corner[5]] = HS_SHARP_INFINITE;
     float matrix[16];
     memcpy(matrix, identity, sizeof matrix);
     matrix[7] = -0.0f;
-    const hs_settings settings = {4, 8, 2, true, true};
+    const hs_settings settings = {.front_depth = 4,
+                                  .silhouette_depth = 8,
+                                  .uniform_depth = 2,
+                                  .uniform = true,
+                                  .guard = true,
+                                  .limit = true,
+                                  .boundary = HS_BOUNDARY_EDGE_ONLY,
+                                  .min_edge = 65,
+                                  .width = 640,
+                                  .height = 480};
     hs_packet packet = {0};
     hs_error err;
     assert_true(hs_packet_encode(&packet, 5, &mesh, matrix, &settings, &err));
     assert_int_equal(packet.view, 5);
-    assert_int_equal(packet.words, 4 * (2 + 4 + 8 + 24 + 1));
+    assert_int_equal(packet.words, 4 * (3 + 4 + 8 + 24 + 1));
     const uint32_t *w = packet.word;
-    const uint32_t header[8] = {0x49325348, 1, 3, 8, 6, 24, 0x00020804, 0};
+    const uint32_t header[12] = {0x49325348, 2, 0x17, 8,          6, 24,
+                                 0x00020804, 0, 65,   0x01e00280, 0, 0};
     assert_memory_equal(w, header, sizeof header);
-    assert_memory_equal(w + 8, matrix, sizeof matrix);
-    assert_int_equal(w[8 + 7], 0x80000000);
-    assert_memory_equal(w + 24, cube_position, sizeof cube_position);
+    assert_memory_equal(w + 12, matrix, sizeof matrix);
+    assert_int_equal(w[12 + 7], 0x80000000);
+    assert_memory_equal(w + 28, cube_position, sizeof cube_position);
 
     for (uint32_t h = 0; h < 24; h++) {
-        const uint32_t *corner = w + 24 + 32 + 4 * h;
+        const uint32_t *corner = w + 28 + 32 + 4 * h;
         assert_int_equal(corner[0], cube_corner[h]);
         /* Its twin runs from where it ends to where it begins. */
         uint32_t t = corner[1], next = h % 4 == 3 ? h - 3 : h + 1;
@@ -141,7 +154,8 @@ static void an_input_packet_is_laid_out_as_documented(void **state) {
         assert_int_equal(cube_corner[t], cube_corner[next]);
         assert_int_equal(cube_corner[after], cube_corner[h]);
         assert_int_equal(corner[2], h % 4 << 16 | (h / 4 == 1 ? 9u : 0u) << 8 | 4);
-        assert_int_equal(corner[3], 0);
+        const bool crease = h == 5 || mesh.twin[h] == 5, sharp = cube_corner[h] == cube_corner[5];
+        assert_int_equal(corner[3], (sharp ? 0xf0u : 0u) | (crease ? 3u : 0u));
     }
     const uint32_t *end = w + packet.words - 4;
     assert_int_equal(end[0], 0x45325348);
@@ -149,10 +163,12 @@ static void an_input_packet_is_laid_out_as_documented(void **state) {
     assert_int_equal(end[3], hs_crc(0, w, packet.words - 4));
 
     /* A second view replaces the first. */
-    assert_true(hs_packet_encode(&packet, 6, &mesh, matrix, &(hs_settings){0}, &err));
+    assert_true(hs_packet_encode(&packet, 6, &mesh, matrix,
+                                 &(hs_settings){.boundary = HS_BOUNDARY_SMOOTH}, &err));
     assert_int_equal(packet.view, 6);
-    assert_int_equal(packet.words, 4 * (2 + 4 + 8 + 24 + 1));
-    assert_int_equal(packet.word[2], 0);
+    assert_int_equal(packet.words, 4 * (3 + 4 + 8 + 24 + 1));
+    assert_int_equal(packet.word[2], HS_FLAG_SMOOTH);
+    assert_int_equal(packet.word[8], 0);
     hs_packet_free(&packet);
     hs_mesh_free(&mesh);
 }
@@ -436,11 +452,14 @@ static void what_golden_sends_decodes(void **state) {
     make_cube(&mesh);
     hs_golden *golden = hs_golden_new(HS_DEFAULT_LIMITS);
     assert_non_null(golden);
-    static const hs_settings settings[] = {{0, 0, 0, true, true},
-                                           {0, 0, 4, true, true},
-                                           {0, 0, 5, true, false},
-                                           {4, 8, 0, false, true},
-                                           {4, 7, 0, false, false}};
+    static const hs_settings settings[] = {
+        {.uniform = true, .uniform_depth = 0, .guard = true},
+        {.uniform = true, .uniform_depth = 4, .guard = true},
+        {.uniform = true, .uniform_depth = 5},
+        {.uniform = true, .uniform_depth = 3, .limit = true},
+        {.front_depth = 4, .silhouette_depth = 8, .guard = true},
+        {.front_depth = 4, .silhouette_depth = 8, .guard = true, .limit = true},
+        {.front_depth = 4, .silhouette_depth = 7}};
     for (size_t i = 0; i < sizeof settings / sizeof *settings; i++) {
         /* Off the axes, in perspective. */
         const float matrix[16] = {1, 0.2f, 0.1f, 0.1f, -0.1f, 1, 0.3f, 0,
@@ -454,6 +473,7 @@ static void what_golden_sends_decodes(void **state) {
         assert_int_equal(report.status, HS_STATUS_OK);
         if (!hs_output_decode(&out, &sent, &err)) fail_msg("settings %zu: %s", i, err.text);
         assert_int_equal(out.faces, report.faces);
+        assert_int_equal(out.at_level, report.at_level);
         assert_int_equal(out.generations + 1, report.generations);
         /* A cube has 6 faces, and step g makes 12 * 2^g of them. */
         if (settings[i].uniform)
@@ -512,7 +532,7 @@ static void the_example_of_the_documentation_is_true(void **state) {
                           .faces = 1,
                           .sides = sides,
                           .corner = corner};
-    const hs_settings settings = {0, 0, 1, true, true};
+    const hs_settings settings = {.uniform = true, .uniform_depth = 1, .guard = true};
     hs_packet example_in, example_out, in = {0}, out = {0};
     hs_golden_report report;
     hs_output decoded;
