@@ -90,7 +90,7 @@ void hs_emit_trailer(hs_state *s) {
                                  s->vertices_sent, s->faces_sent};
     append(s, trailer);
     if (s->exhausted) return;
-    const uint32_t end[4] = {hs_tag(HS_RECORD_END, s->generation), s->triangles_sent, s->at_level,
-                             hs_crc(0, s->out->word, s->out->words)};
+    uint32_t end[4] = {hs_tag(HS_RECORD_END, s->generation), s->triangles_sent, s->at_level, 0};
+    end[3] = hs_crc(hs_crc(0, s->out->word, s->out->words), end, 3);
     append(s, end);
 }

@@ -162,7 +162,7 @@ static bool read_trailer(hs_state *s, const hs_packet *in) {
     if (r[0] != HS_MAGIC_END) return refuse(s, HS_STATUS_BAD_TRAILER, at), false;
     if (r[1]) return refuse(s, HS_STATUS_BAD_RESERVED, at + 1), false;
     if (r[2]) return refuse(s, HS_STATUS_BAD_RESERVED, at + 2), false;
-    if (r[3] != hs_crc(0, in->word, at)) return refuse(s, HS_STATUS_BAD_CRC, at + 3), false;
+    if (r[3] != hs_crc(0, in->word, at + 3)) return refuse(s, HS_STATUS_BAD_CRC, at + 3), false;
     if (in->words > at + 4) return refuse(s, HS_STATUS_TOO_LONG, at + 4), false;
     return true;
 }

@@ -63,6 +63,10 @@ void hs_packet_free(hs_packet *packet);
  */
 uint32_t hs_crc(uint32_t crc, const uint32_t *word, size_t words);
 
+/* CRC-32 of all words of a packet but the last, which in a whole packet holds it. With its own CRC
+ * behind it, every packet has the same one. 0 without words. */
+uint32_t hs_packet_crc(const hs_packet *packet);
+
 /* Word 0 of an output record that is not a vertex. detail is bits 19:0. */
 static inline uint32_t hs_tag(uint32_t kind, uint32_t detail) {
     return (uint32_t)HS_TAG << 23 | kind << 20 | detail;

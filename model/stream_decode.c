@@ -240,7 +240,7 @@ static bool check_end(const reader *in, size_t at, const counts *sum) {
         return wrong(in, at + 1, "it says %u, the packet has %u", word[1], sum->triangles);
     if (word[2] > sum->vertices)
         return wrong(in, at + 2, "%u vertices at their level of %u", word[2], sum->vertices);
-    uint32_t crc = hs_crc(0, in->packet->word, at);
+    uint32_t crc = hs_crc(0, in->packet->word, at + 3);
     if (word[3] != crc) return wrong(in, at + 3, "it says 0x%08x, it is 0x%08x", word[3], crc);
     return true;
 }
@@ -451,7 +451,8 @@ static void describe_record(const walk *state, const uint32_t record[4], uint32_
                             size_t size) {
     static const char *const header[4] = {"version", "view", "block exponent", "reserved"};
     static const char *const trailer[4] = {"status", "position", "vertices sent", "faces sent"};
-    static const char *const end[4] = {"last generation", "triangles sent", "reserved", "CRC-32"};
+    static const char *const end[4] = {"last generation", "triangles sent",
+                                       "vertices at their level", "CRC-32"};
     if (!is_tagged(record)) {
         if (state->sent < state->group)
             snprintf(text, size, "position of vertex %u (%c)", state->number[state->sent],

@@ -81,6 +81,10 @@ uint32_t hs_crc(uint32_t crc, const uint32_t *word, size_t words) {
     return crc;
 }
 
+uint32_t hs_packet_crc(const hs_packet *packet) {
+    return packet->words ? hs_crc(0, packet->word, packet->words - 1) : 0;
+}
+
 /* --- The input packet of a view --------------------------------------------------------------- */
 
 static uint32_t *put_record(uint32_t *at, uint32_t w0, uint32_t w1, uint32_t w2, uint32_t w3) {
@@ -129,8 +133,8 @@ bool hs_packet_encode(hs_packet *packet, uint32_t view, const hs_mesh *mesh, con
         }
     }
 
-    uint32_t crc = hs_crc(0, packet->word, (size_t)(at - packet->word));
-    at = put_record(at, HS_MAGIC_END, 0, 0, crc);
+    at = put_record(at, HS_MAGIC_END, 0, 0, 0);
+    at[-1] = hs_crc(0, packet->word, (size_t)(at - packet->word) - 1);
     packet->words = (size_t)(at - packet->word);
     assert(packet->words == 4 * records);
     return true;

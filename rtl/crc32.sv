@@ -3,17 +3,21 @@
 // One step of CRC-32 (IEEE 802.3: zlib's, reflected polynomial 0xEDB88320) over a record of
 // 16 bytes, bits 7:0 first. Combinational.
 //
-//   crc_o = crc32(crc_i, data_i)     with enable_i; without it, crc_o = crc_i
+//   crc_o = crc32(crc_i, data_i)          with enable_i; without it, crc_o = crc_i
+//   crc_o = crc32(crc_i, data_i[95:0])    with enable_i and end_i: the record's last word will be
+//                                         the CRC itself
 //
 //   * The state before the first record is 32'hffffffff; the CRC of a packet is the inverse of
 //     the state behind its last record. Both are the user's business.
 //
 // A step is linear over GF(2): with m = data_i ^ crc_i (in the low 32 bits, where the state meets
 // the first four bytes), every bit of crc_o is the parity of m under a constant mask. The 32 masks
-// come from the polynomial at elaboration.
+// come from the polynomial at elaboration. What 12 bytes do to the state, they do too as the last 12
+// of 16 if the state meets them, and not the first four, which are zero.
 
 module crc32 (
     input  logic         enable_i,  // spares a simulation the sums when there is no record
+    input  logic         end_i,
     input  logic [ 31:0] crc_i,
     input  logic [127:0] data_i,
     output logic [ 31:0] crc_o
@@ -39,7 +43,7 @@ module crc32 (
   localparam logic [4095:0] MASKS = masks(POLYNOMIAL);
 
   logic [127:0] mixed;
-  assign mixed = data_i ^ {96'd0, crc_i};
+  assign mixed = end_i ? {data_i[95:0] ^ {64'd0, crc_i}, 32'd0} : data_i ^ {96'd0, crc_i};
 
   integer b;
   always_comb begin

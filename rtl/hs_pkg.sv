@@ -75,7 +75,7 @@ package hs_pkg;
   localparam logic [2:0] RECORD_MORE = 3'd3;
   // status, position of the offending input word, vertices and faces sent
   localparam logic [2:0] RECORD_TRAILER = 3'd4;
-  // last record: last generation, triangles sent, CRC-32 of all records before it
+  // last record: last generation, triangles sent, CRC-32 of all words before it
   localparam logic [2:0] RECORD_END = 3'd5;
 
   // --- Statuses of a view

@@ -7,7 +7,7 @@
 //
 //   * Takes up to 4 records of 128 bits a cycle: record k of count_i in bits 128*k+127:128*k.
 //     With last_i, the last of them is the packet's END record, and its word 3 is replaced by the
-//     CRC-32 of all records before it; what comes there is of no account.
+//     CRC-32 of all words before it; what comes there is of no account.
 //   * Every beat carries PORT_RECORDS records, lowest bits first, but for a packet's last one,
 //     which may carry fewer: tkeep says how many, and unused lanes are zero.
 //   * All of m_axis comes from registers: tvalid never waits for tready, and nothing changes until
@@ -156,8 +156,11 @@ module pack #(
   genvar k;
   generate
     for (k = 0; k < PORT_RECORDS; k = k + 1) begin : gen_lane
+      logic end_record;
+      assign end_record = beat_last && 3'(k + 1) == beat_count;
       crc32 step (
           .enable_i(front_valid && 3'(k) < beat_count),
+          .end_i   (end_record),
           .crc_i   (crc[32*k+:32]),
           .data_i  (beat[128*k+:128]),
           .crc_o   (crc[32*k+32+:32])
@@ -166,7 +169,7 @@ module pack #(
       assign sealed[128*k+:96] = 3'(k) < beat_count ? beat[128*k+:96] : 96'd0;
       assign sealed[128*k+96+:32] =
           3'(k) >= beat_count ? 32'd0 :
-          beat_last && 3'(k + 1) == beat_count ? ~crc[32*k+:32] : beat[128*k+96+:32];
+          end_record ? ~crc[32*k+32+:32] : beat[128*k+96+:32];
     end
   endgenerate
 

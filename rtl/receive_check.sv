@@ -39,7 +39,7 @@ module receive_check #(
     input logic [ 7:0] sides_i,
     input logic [ 7:0] forced_i,
 
-    input logic [31:0] crc_i,  // the state behind the records before this one
+    input logic [31:0] crc_i,  // at_end_i: the state behind the words before this record's last one
 
     output logic       bad_o,
     output logic [1:0] word_o,

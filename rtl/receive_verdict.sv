@@ -63,7 +63,7 @@ module receive_verdict #(
   logic [31:0] cut_position, overflow_position;
 
   crc32 i_crc32 (
-      .enable_i(1'b1), .crc_i(crc_q), .data_i(record_i), .crc_o(crc_d)
+      .enable_i(1'b1), .end_i(at_end_i), .crc_i(crc_q), .data_i(record_i), .crc_o(crc_d)
   );
 
   receive_check #(
@@ -71,7 +71,7 @@ module receive_verdict #(
   ) i_check (
       .record_i, .at_view_i, .at_counts_i, .at_picture_i, .at_matrix_i, .at_vertex_i, .at_corner_i,
       .at_end_i, .at_behind_i, .limit_vertices_i, .limit_quads_i, .vertices_i, .faces_i, .halfedges_i,
-      .halfedge_i, .corner_i, .face_i, .sides_i, .forced_i, .crc_i(crc_q), .bad_o(check_bad),
+      .halfedge_i, .corner_i, .face_i, .sides_i, .forced_i, .crc_i(crc_d), .bad_o(check_bad),
       .word_o(bad_word), .status_o(bad_status)
   );
 

@@ -121,7 +121,7 @@ static bool finish_pipeline(work *w, enum hs_engine engine, hs_error *err) {
     hs_output *output = &w->output[engine];
     result->ran = true;
     result->words = packet->words;
-    result->digest = hs_crc(0, packet->word, packet->words);
+    result->digest = hs_packet_crc(packet);
     hs_error why = {0};
     if (!hs_output_decode(output, packet, &why))
         return hs_fail(err, why.code, "view %u: what %s sent is no output packet: %s",

@@ -71,7 +71,7 @@ static bool change_packet(compiler *c, const char *keyword, char **rest) {
     uint32_t position, value;
     if (!packet) return fail(c, "no view before it");
     if (strcmp(keyword, "crc") == 0) {
-        packet->word[packet->words - 1] = hs_crc(0, packet->word, packet->words - 4);
+        packet->word[packet->words - 1] = hs_packet_crc(packet);
         return true;
     }
     const uint32_t last = (uint32_t)packet->words - 1;
@@ -240,7 +240,7 @@ void hs_trace_free(hs_trace *trace) {
 static json_t *expect_view(const hs_packet *packet, const hs_golden_report *golden,
                            const hs_rtl_report *rtl) {
     char digest[11];
-    snprintf(digest, sizeof digest, "0x%08x", hs_crc(0, packet->word, packet->words));
+    snprintf(digest, sizeof digest, "0x%08x", hs_packet_crc(packet));
     return json_pack(
         "{s:i, s:s, s:o, s:I, s:s, s:i, s:i, s:i, s:i, s:I}", "view", (int)packet->view, "status",
         hs_status_name(golden->status), "position",

@@ -197,11 +197,12 @@ void hs_stream_file_show(const hs_stream_file *file, FILE *text) {
 /* --- Building -----------------------------------------------------------------------------------
  */
 
-/* Reads one word. */
-static bool parse_word(const char *token, const hs_packet *packet, uint32_t *word) {
+/* Reads word i of a record; the words before it are there. */
+static bool parse_word(const char *token, const hs_packet *packet, uint32_t record[4], int i) {
+    uint32_t *word = &record[i];
     char *end;
     if (strcmp(token, "crc") == 0) {
-        *word = hs_crc(0, packet->word, packet->words);
+        *word = hs_crc(hs_crc(0, packet->word, packet->words), record, (size_t)i);
         return true;
     }
     if (strchr(token, '.')) {
@@ -241,7 +242,7 @@ static bool build_line(hs_stream_file *file, char *line, const char *where, hs_e
                        tokens > 4 ? "too many" : "too few");
     uint32_t record[4];
     for (int i = 0; i < 4; i++)
-        if (!parse_word(token[i], packet, &record[i]))
+        if (!parse_word(token[i], packet, record, i))
             return hs_fail(err, HS_EXIT_STREAM,
                            "%.300s: \"%.40s\" is no word; write 8 hexadecimal digits, a number "
                            "with a decimal point, or crc",

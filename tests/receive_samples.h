@@ -31,7 +31,7 @@ static const receive_send plainly = {
 enum { MATRIX = 12, VERTEX = 28 };
 
 static inline void mend_crc(hs_packet *packet) {
-    packet->word[packet->words - 1] = hs_crc(0, packet->word, packet->words - 4);
+    packet->word[packet->words - 1] = hs_packet_crc(packet);
 }
 
 /* Sharpnesses of every kind: of each edge the same on both sides, of the vertices any. */

@@ -296,8 +296,7 @@ static inline void make_two_bodies(hs_mesh *mesh) {
 }
 
 static inline void mend_crc(hs_packet *packet) {
-    if (packet->words >= 4)
-        packet->word[packet->words - 1] = hs_crc(0, packet->word, packet->words - 4);
+    if (packet->words) packet->word[packet->words - 1] = hs_packet_crc(packet);
 }
 
 #endif

@@ -93,7 +93,7 @@ static int tear_down(void **state) {
 static void help_teaches_by_example_and_exits_with_0(void **state) {
     (void)state;
     expect(HS_EXIT_OK, "--help", "halfstep run shape:hand");
-    expect(HS_EXIT_OK, "--version", "stream format 1");
+    expect(HS_EXIT_OK, "--version", "stream format 2");
     expect(HS_EXIT_OK, "run --help", "Examples:");
     expect(HS_EXIT_OK, "mesh --help", "mesh convert");
     expect(HS_EXIT_OK, "mesh info --help", "halfstep mesh info shape:hand");

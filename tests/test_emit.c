@@ -215,8 +215,8 @@ static void expect_packet(packet *p, const script *s) {
         default:
             put(p, hs_tag(HS_RECORD_TRAILER, s->view.status), s->view.position, p->vertices,
                 p->faces);
-            put(p, hs_tag(HS_RECORD_END, op->generation), p->triangles, p->at_level,
-                hs_crc(0, p->word, p->words));
+            put(p, hs_tag(HS_RECORD_END, op->generation), p->triangles, p->at_level, 0);
+            p->word[p->words - 1] = hs_crc(0, p->word, p->words - 1);
         }
     }
 }

@@ -495,7 +495,7 @@ static void rows_that_overflow_are_refused_at_their_word(void **state) {
         mesh.position[4 * 7 + 2] = INFINITY;
         expect_refusal(&mesh, matrix, HS_STATUS_BAD_NUMBER, VERTICES_AT + 4 * 7 + 2);
         matrix[9] = NAN;
-        expect_refusal(&mesh, matrix, HS_STATUS_BAD_NUMBER, 8 + 9);
+        expect_refusal(&mesh, matrix, HS_STATUS_BAD_NUMBER, 4 * HS_HEADER_RECORDS + 9);
         free(mesh.position);
     }
 }

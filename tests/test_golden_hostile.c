@@ -130,8 +130,7 @@ static void tamper(tampered *t, const good_packets *good) {
         else
             splice(t, &good->in[below(t, GOOD_PACKETS)]);
     }
-    if (t->words >= 4 && below(t, 2))
-        t->word[t->words - 1] = hs_crc(0, t->word, (t->words - 1) & ~(size_t)3);
+    if (t->words >= 4 && below(t, 2)) t->word[t->words - 1] = hs_crc(0, t->word, t->words - 1);
 }
 
 /* --- The answer

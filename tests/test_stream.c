@@ -52,9 +52,13 @@ static void put_positions(hs_packet *packet, uint32_t count) {
         put(packet, 0x3f000000 + i, 0xbf000000, 0x3e800000, 0x3f800000);
 }
 
+static void fix_crc(hs_packet *packet) {
+    packet->word[packet->words - 1] = hs_packet_crc(packet);
+}
+
 static void put_end(hs_packet *packet, uint32_t generation, uint32_t triangles) {
-    put(packet, hs_tag(HS_RECORD_END, generation), triangles, 0,
-        hs_crc(0, packet->word, packet->words));
+    put(packet, hs_tag(HS_RECORD_END, generation), triangles, 0, 0);
+    fix_crc(packet);
 }
 
 /* Every kind of record: a triangle and a 9-gon of generation 0, a cut triangle and a quad of
@@ -87,10 +91,6 @@ static void make_refused(hs_packet *packet) {
     put(packet, hs_tag(HS_RECORD_HEADER, HS_STREAM_VERSION), 7, 0, 0);
     put(packet, hs_tag(HS_RECORD_TRAILER, HS_STATUS_BAD_CRC), 123, 0, 0);
     put_end(packet, 0, 0);
-}
-
-static void fix_crc(hs_packet *packet) {
-    packet->word[packet->words - 1] = hs_crc(0, packet->word, packet->words - 4);
 }
 
 /* --- Encode ----------------------------------------------------------------------------------- */
@@ -160,7 +160,7 @@ static void an_input_packet_is_laid_out_as_documented(void **state) {
     const uint32_t *end = w + packet.words - 4;
     assert_int_equal(end[0], 0x45325348);
     assert_int_equal(end[1] | end[2], 0);
-    assert_int_equal(end[3], hs_crc(0, w, packet.words - 4));
+    assert_int_equal(end[3], hs_crc(0, w, packet.words - 1));
 
     /* A second view replaces the first. */
     assert_true(hs_packet_encode(&packet, 6, &mesh, matrix,
@@ -274,7 +274,7 @@ static void a_wrong_packet_with_a_right_crc_is_refused_with_its_cause(void **sta
         uint32_t value;
         const char *cause;
     } fault[] = {
-        {0, 0xff800002, "word 0 (header, version): 0xff800002 is not the header of version 1"},
+        {0, 0xff800001, "word 0 (header, version): 0xff800001 is not the header of version 2"},
         {1, 8, "word 1 (header, view): it is the header of view 8"},
         {2, 129, "word 2 (header, block exponent): no binary32 has the block exponent 129"},
         {2, 0xffffff6b, "no binary32 has the block exponent -149"},
@@ -323,7 +323,7 @@ static void a_wrong_packet_with_a_right_crc_is_refused_with_its_cause(void **sta
         {96, 0xffd00003, "word 96 (end, last generation): generation 3, but faces left in"},
         {96, 0xffd00001, "generation 1, but faces left in generation 2"},
         {97, 1, "word 97 (end, triangles sent): it says 1, the packet has 2"},
-        {98, 1, "word 98 (end, reserved): 0x00000001 in a reserved word"},
+        {98, 12, "word 98 (end, vertices at their level): 12 vertices at their level of 11"},
     };
     for (size_t i = 0; i < sizeof fault / sizeof *fault; i++) {
         hs_packet packet;
@@ -358,6 +358,7 @@ static void groups_that_are_not_filled_up_are_refused(void **state) {
     hs_output_free(&out);
     /* The triangle of a step that left nothing active: the generation behind it is reached. */
     packet.word[32] += 1;
+    fix_crc(&packet);
     if (!hs_output_decode(&out, &packet, &err)) fail_msg("%s", err.text);
     assert_int_equal(out.generations, 2);
     hs_output_free(&out);
