@@ -69,18 +69,31 @@ static FILE *open_temporary(hs_file *file) {
     return NULL;
 }
 
+/* A stream of its own, that may be closed. */
+static FILE *open_standard_output(void) {
+    const int descriptor = dup(STDOUT_FILENO);
+    FILE *stream = descriptor < 0 ? NULL : fdopen(descriptor, "wb");
+    if (stream == NULL && descriptor >= 0) close(descriptor);
+    return stream;
+}
+
 bool hs_file_create(hs_file *file, const char *path, hs_error *err) {
     *file = (hs_file){NULL, NULL, NULL};
     struct stat status;
-    bool exists = stat(path, &status) == 0;
+    const bool standard = strcmp(path, "-") == 0;
+    bool exists = !standard && stat(path, &status) == 0;
     if (exists && S_ISDIR(status.st_mode)) return write_failed(path, EISDIR, err);
 
     /* Renaming onto a link would replace the link, onto a device the device. */
     file->path = exists ? realpath(path, NULL) : NULL;
     if (file->path == NULL) file->path = strdup(path);
     if (file->path == NULL) return exhausted(err, path);
-    file->stream =
-        exists && !S_ISREG(status.st_mode) ? fopen(file->path, "wb") : open_temporary(file);
+    if (standard)
+        file->stream = open_standard_output();
+    else if (exists && !S_ISREG(status.st_mode))
+        file->stream = fopen(file->path, "wb");
+    else
+        file->stream = open_temporary(file);
     if (file->stream == NULL) {
         int cause = errno;
         hs_file_abandon(file);

@@ -32,7 +32,8 @@ typedef struct hs_file {
     char *temporary; /* NULL if the target is written directly: a terminal, a pipe, a device */
 } hs_file;
 
-/* Begins to write path. On failure *file is empty and nothing was created. */
+/* Begins to write path; "-" is standard output. On failure *file is empty and nothing was created.
+ */
 bool hs_file_create(hs_file *file, const char *path, hs_error *err);
 
 /* Ends the file: from here on path holds all that was written, in place of what it held. If

@@ -23,7 +23,9 @@ hs_bound hs_bound_of(const hs_settings *settings, uint32_t depth, const hs_gener
             if (!settings->uniform) stage[HS_STAGE_select] += items;
             if (!settings->uniform && generation[g].selected) stage[HS_STAGE_guard] += items;
         }
-        if (g < depth || g == 0) stage[HS_STAGE_split] += items;
+        const bool rings = settings->limit && g == depth;
+        if (rings) stage[HS_STAGE_classify] += items;
+        if (g < depth || g == 0 || rings) stage[HS_STAGE_split] += items;
         stage[HS_STAGE_smooth] += generation[g].moved;
     }
     bound.total = stage[HS_STAGE_classify] + stage[HS_STAGE_select] + stage[HS_STAGE_guard] +

@@ -18,7 +18,8 @@
  *   split_g       A_g if g < D, or g = 0: split also  the same
  *                 sends the faces that are final
  *
- * The quads that the last step makes leave from there: generation D costs nothing. Uniform
+ * The quads that the last step makes leave from there: generation D costs nothing. With limit
+ * positions their vertices need their rings: classify_D and split_D are A_D then. Uniform
  * refinement of quads so tends to 5/3 cycles per face at even D and to 7/3 at odd ones.
  *
  * The stages before and behind work beside these, so they are no part of the total; their bounds

@@ -335,9 +335,9 @@ static bool run_all(hs_run *run, hs_error *err) {
     if (!prepare(run, err) || !run_views(run, err)) return false;
     const hs_run_request *r = run->request;
     if (r->json && !hs_report_write(run, err)) return false;
-    if (r->out) printf("folder: %s\n", r->out);
-    if (r->json) printf("report: %s\n", r->json);
-    if (r->wave) printf("waveform: %s\n", r->wave);
+    if (r->out) fprintf(run->table, "folder: %s\n", r->out);
+    if (r->json && run->table == stdout) printf("report: %s\n", r->json);
+    if (r->wave) fprintf(run->table, "waveform: %s\n", r->wave);
     return true;
 }
 
@@ -347,7 +347,8 @@ int hs_command_run(int argc, char **argv, hs_error *err) {
     if (parsed == HS_PARSED_HELP) return HS_EXIT_OK;
     if (parsed == HS_PARSED_WRONG) return err->code;
 
-    hs_run run = {.request = &request};
+    const bool report_on_stdout = request.json && strcmp(request.json, "-") == 0;
+    hs_run run = {.request = &request, .table = report_on_stdout ? stderr : stdout};
     hs_progress_start(&run.progress, request.quiet);
     const bool good = run_all(&run, err);
     hs_progress_clear(&run.progress);

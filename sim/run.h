@@ -9,6 +9,8 @@
 #ifndef HS_RUN_H
 #define HS_RUN_H
 
+#include <stdio.h>
+
 #include "bound.h"
 #include "compare.h"
 #include "progress.h"
@@ -93,6 +95,7 @@ typedef struct hs_run {
     hs_rtl *rtl;               /* NULL unless named */
     hs_run_pictures *pictures; /* NULL unless there is a folder */
     hs_progress progress;
+    FILE *table;       /* what people read: standard output, unless the report goes there */
     uint32_t done;     /* views */
     hs_run_view *view; /* done of them */
     double seconds;
@@ -109,7 +112,7 @@ bool hs_run_view_equal(const hs_run_view *view);
  * of the cycles around the difference. cycle: from the view's start; UINT64_MAX: unknown. */
 void hs_run_print_rerun(const hs_run *run, uint32_t number, uint64_t cycle);
 
-/* The table on stdout: a head, a line a view, totals. */
+/* The table on run->table: a head, a line a view, totals. */
 void hs_run_table_head(const hs_run *run);
 void hs_run_table_view(const hs_run *run, const hs_run_view *view);
 void hs_run_table_total(const hs_run *run);

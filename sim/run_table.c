@@ -40,36 +40,38 @@ void hs_run_table_head(const hs_run *run) {
         if (r->engines >> e & 1)
             snprintf(engines + strlen(engines), sizeof engines - strlen(engines), "%s%s",
                      *engines ? ", " : "", hs_engine_name((enum hs_engine)e));
-    printf("%s: %u faces, %u vertices; %s; %s\n\n", r->mesh, run->mesh.faces, run->mesh.vertices,
-           how, engines);
-    printf("view     faces  vertices     cycles  c/face      bound  ratio  kHz  result\n");
-    fflush(stdout);
+    fprintf(run->table, "%s: %u faces, %u vertices; %s\n%s\n\n", r->mesh, run->mesh.faces,
+            run->mesh.vertices, engines, how);
+    fprintf(run->table,
+            "view     faces  vertices     cycles  c/face      bound  ratio  kHz  result\n");
+    fflush(run->table);
 }
 
 /* Cycles, their ratios and speed; dashes where nothing was timed. */
 static void print_figures(const hs_run *run, uint64_t faces, uint64_t vertices, uint64_t cycles,
                           uint64_t bound, double seconds) {
-    printf("%9llu %9llu", (unsigned long long)faces, (unsigned long long)vertices);
+    fprintf(run->table, "%9llu %9llu", (unsigned long long)faces, (unsigned long long)vertices);
     if (has_rtl(run) && cycles) {
-        printf(" %10llu", (unsigned long long)cycles);
+        fprintf(run->table, " %10llu", (unsigned long long)cycles);
         if (faces)
-            printf(" %7.2f", (double)cycles / (double)faces);
+            fprintf(run->table, " %7.2f", (double)cycles / (double)faces);
         else
-            printf(" %7s", "-");
-        printf(" %10llu", (unsigned long long)bound);
+            fprintf(run->table, " %7s", "-");
+        fprintf(run->table, " %10llu", (unsigned long long)bound);
         if (bound)
-            printf(" %6.2f", (double)cycles / (double)bound);
+            fprintf(run->table, " %6.2f", (double)cycles / (double)bound);
         else
-            printf(" %6s", "-");
-        printf(" %4.0f", (double)cycles / (seconds > 1e-9 ? seconds : 1e-9) / 1e3);
+            fprintf(run->table, " %6s", "-");
+        fprintf(run->table, " %4.0f", (double)cycles / (seconds > 1e-9 ? seconds : 1e-9) / 1e3);
     } else {
-        printf(" %10s %7s %10llu %6s %4s", "-", "-", (unsigned long long)bound, "-", "-");
+        fprintf(run->table, " %10s %7s %10llu %6s %4s", "-", "-", (unsigned long long)bound, "-",
+                "-");
     }
 }
 
 void hs_run_table_view(const hs_run *run, const hs_run_view *view) {
     const hs_engine_result *e = shown_engine(view);
-    printf("%4u ", view->number);
+    fprintf(run->table, "%4u ", view->number);
     print_figures(run, e->faces, e->vertices, view->rtl.cycles, view->bound.total,
                   view->engine[HS_ENGINE_rtl].seconds);
     const char *result = view->comparisons ? "equal" : "done";
@@ -80,13 +82,15 @@ void hs_run_table_view(const hs_run *run, const hs_run_view *view) {
         result = "stopped";
     else if (e->status != HS_STATUS_OK)
         result = "REFUSED";
-    printf("  %s\n", result);
+    fprintf(run->table, "  %s\n", result);
     if (equal && e->status != HS_STATUS_OK) {
-        printf("     note: %s: %s", hs_status_name(e->status), hs_status_what(e->status));
-        if (e->error_position != HS_NO_POSITION) printf(", at word %u", e->error_position);
-        printf("\n           %s\n", hs_status_remedy(e->status));
+        fprintf(run->table, "     note: %s: %s", hs_status_name(e->status),
+                hs_status_what(e->status));
+        if (e->error_position != HS_NO_POSITION)
+            fprintf(run->table, ", at word %u", e->error_position);
+        fprintf(run->table, "\n           %s\n", hs_status_remedy(e->status));
     }
-    fflush(stdout);
+    fflush(run->table);
 }
 
 void hs_run_table_total(const hs_run *run) {
@@ -110,17 +114,18 @@ void hs_run_table_total(const hs_run *run) {
             }
     }
     if (run->done > 1) {
-        printf(" all ");
+        fprintf(run->table, " all ");
         print_figures(run, faces, vertices, cycles, bound, seconds);
-        printf("\n");
+        fprintf(run->table, "\n");
     }
-    printf("\n%u view%s in %.1f s", run->done, run->done == 1 ? "" : "s", run->seconds);
+    fprintf(run->table, "\n%u view%s in %.1f s", run->done, run->done == 1 ? "" : "s",
+            run->seconds);
     if (compared && different == 0)
-        printf("; all %llu words of rtl equal golden's", (unsigned long long)compared);
+        fprintf(run->table, "; all %llu words of rtl equal golden's", (unsigned long long)compared);
     else if (compared)
-        printf("; %llu of %llu words of rtl differ from golden's", (unsigned long long)different,
-               (unsigned long long)compared);
-    printf("\n");
+        fprintf(run->table, "; %llu of %llu words of rtl differ from golden's",
+                (unsigned long long)different, (unsigned long long)compared);
+    fprintf(run->table, "\n");
     double farthest = 0, bound_distance = 0, pixels = 0;
     uint64_t components = 0, equal = 0;
     for (uint32_t i = 0; i < run->done; i++) {
@@ -134,11 +139,12 @@ void hs_run_table_total(const hs_run *run) {
         equal += c->equal;
     }
     if (components)
-        printf("reference: golden is at most %.2g pixels (of 1024) away, %.0f%% of the bound of "
-               "%.2g;\n%.1f%% of its components are the rounded double; %llu of %llu faces would "
-               "be decided\notherwise in doubles\n",
-               pixels, 100 * farthest, bound_distance, 100 * (double)equal / (double)components,
-               (unsigned long long)other, (unsigned long long)decided);
+        fprintf(run->table,
+                "reference: golden is at most %.2g pixels (of 1024) away, %.0f%% of the bound of "
+                "%.2g;\n%.1f%% of its components are the rounded double; %llu of %llu faces would "
+                "be decided\notherwise in doubles\n",
+                pixels, 100 * farthest, bound_distance, 100 * (double)equal / (double)components,
+                (unsigned long long)other, (unsigned long long)decided);
 }
 
 /* --- Running one view again ---------------------------------------------------------------------

@@ -195,6 +195,15 @@ static void an_unwritable_place_is_named_before_the_work_begins(void **state) {
     assert_int_equal(count_entries(&place), 1);
 }
 
+static void a_report_on_standard_output_is_json_and_nothing_else(void **state) {
+    (void)state;
+    expect(HS_EXIT_OK, "run shape:cube --json - >@/x.json 2>@/table && cat @/table", " equal\n");
+    json_t *report = read_json("x.json");
+    assert_true(json_is_true(at(report, "equal")));
+    json_decref(report);
+    assert_false(exists("-"));
+}
+
 /* --- Views that have to work ---------------------------------------------------------------------
  */
 
@@ -475,6 +484,7 @@ int main(void) {
         TEST(a_bad_views_file_is_named_by_line),
         TEST(a_bad_force_file_is_named_by_line),
         TEST(an_unwritable_place_is_named_before_the_work_begins),
+        TEST(a_report_on_standard_output_is_json_and_nothing_else),
         TEST(a_singular_matrix_works),
         TEST(the_eye_may_be_inside_the_mesh),
         TEST(what_is_out_of_view_comes_back_as_it_went_in),

@@ -245,6 +245,9 @@ static void a_view_that_selects_nothing_costs_three_passes(void **state) {
     /* Nothing is asked for: the faces are sent. */
     const hs_settings none = {.uniform = true};
     assert_int_equal(hs_bound_of(&none, 0, &generation, 1, 8, 160, 100).total, 24);
+    /* At their limit positions: classify sums the rings. */
+    const hs_settings limit = {.uniform = true, .limit = true};
+    assert_int_equal(hs_bound_of(&limit, 0, &generation, 1, 8, 160, 100).total, 2 * 24);
 }
 
 int main(void) {
