@@ -50,7 +50,7 @@ static uint32_t next_corner(const hs_output *o, uint32_t f, uint32_t i) {
     return o->corner[i + 1 < o->first[f + 1] ? i + 1 : o->first[f]];
 }
 
-static bool conforming(const hs_output *o, const hs_mesh *mesh, edge_set *set, hs_error *err) {
+static bool collect_edges(const hs_output *o, edge_set *set, hs_error *err) {
     for (uint32_t f = 0; f < o->faces; f++) {
         for (uint32_t i = o->first[f]; i < o->first[f + 1]; i++) {
             const uint32_t v = o->number[o->corner[i]], w = o->number[next_corner(o, f, i)];
@@ -59,31 +59,58 @@ static bool conforming(const hs_output *o, const hs_mesh *mesh, edge_set *set, h
             *slot = ((uint64_t)v << 32 | w) + 1;
         }
     }
-    uint32_t alone = 0, expected = 0;
-    for (uint32_t f = 0; f < o->faces; f++)
-        for (uint32_t i = o->first[f]; i < o->first[f + 1]; i++)
-            alone += !has_edge(set, o->number[next_corner(o, f, i)], o->number[o->corner[i]]);
-    for (uint32_t h = 0; h < mesh->halfedges; h++) {
-        if (mesh->twin[h] != HS_BORDER) continue;
-        const uint32_t v = mesh->origin[h], w = mesh->origin[hs_next(mesh, h)];
-        if (!has_edge(set, v, w) || has_edge(set, w, v))
-            return differ(err, "boundary edge gone, or inside: half-edge", 0, h);
-        expected++;
-    }
-    if (alone != expected)
-        return differ(err, "edges without a second face:", o->generations, alone);
     return true;
 }
 
-bool invariant_conforming(const hs_output *o, const hs_mesh *mesh, uint64_t *compared,
-                          hs_error *err) {
+/* After each vertex of the output the next one along the boundary, NO_VERTEX inside. */
+#define NO_VERTEX UINT32_MAX
+
+static bool follow_boundary(const hs_output *o, const hs_mesh *mesh, hs_boundary boundary,
+                            const edge_set *set, uint32_t *after, uint32_t numbers, hs_error *err) {
+    uint32_t alone = 0;
+    memset(after, 0xff, numbers * sizeof *after);
+    for (uint32_t f = 0; f < o->faces; f++)
+        for (uint32_t i = o->first[f]; i < o->first[f + 1]; i++) {
+            const uint32_t v = o->number[o->corner[i]], w = o->number[next_corner(o, f, i)];
+            if (has_edge(set, w, v)) continue;
+            if (after[v] != NO_VERTEX)
+                return differ(err, "two boundaries at a vertex: output face", o->generation[f], f);
+            after[v] = w;
+            alone++;
+        }
+    for (uint32_t h = 0; h < mesh->halfedges; h++) {
+        if (mesh->twin[h] != HS_BORDER) continue;
+        uint32_t v = mesh->origin[h], length = 0;
+        do {
+            v = v < numbers ? after[v] : NO_VERTEX;
+            length++;
+        } while (v != NO_VERTEX && v >= mesh->vertices);
+        if (v != mesh->origin[hs_next(mesh, h)] || length > alone)
+            return differ(err, "boundary edge gone, or inside: half-edge", 0, h);
+        if (length > 1 && boundary == HS_BOUNDARY_KEPT)
+            return differ(err, "boundary edge not kept: half-edge", 0, h);
+        alone -= length;
+    }
+    if (alone) return differ(err, "edges without a second face:", o->generations, alone);
+    return true;
+}
+
+bool invariant_conforming(const hs_output *o, const hs_mesh *mesh, hs_boundary boundary,
+                          uint64_t *compared, hs_error *err) {
     edge_set set = {.mask = 1};
+    uint32_t numbers = 0;
+    for (uint32_t v = 0; v < o->vertices; v++)
+        if (o->number[v] >= numbers) numbers = o->number[v] + 1;
     while (set.mask < 2 * (size_t)o->corners)
         set.mask = 2 * set.mask + 1;
     set.slot = calloc(set.mask + 1, sizeof *set.slot);
-    if (!set.slot) return exhausted(err);
-    const bool good = conforming(o, mesh, &set, err);
+    uint32_t *after = malloc((numbers + (size_t)1) * sizeof *after);
+    bool good = set.slot && after;
+    if (!good) exhausted(err);
+    good = good && collect_edges(o, &set, err) &&
+           follow_boundary(o, mesh, boundary, &set, after, numbers, err);
     free(set.slot);
+    free(after);
     *compared += o->corners;
     return good;
 }
@@ -96,6 +123,11 @@ typedef struct recorder {
     uint32_t last;
     bool exhausted;
 } recorder;
+
+/* Whether the edge of a half-edge becomes a face: in an odd step a boundary edge does, too. */
+static bool makes_quad(const hs_state *s, uint32_t h) {
+    return s->twin[h] != HS_BORDER && (s->twin[h] != BOUNDARY_TWIN || s->generation % 2 == 0);
+}
 
 static void record_generation(void *context, const hs_state *s) {
     recorder *r = context;
@@ -126,22 +158,25 @@ static void record_generation(void *context, const hs_state *s) {
             const uint32_t h = h0 + i, t = s->twin[h], v = s->origin[h];
             u->origin[h] = v;
             u->faces_around[v]++;
-            u->quad[h] = t == HS_BORDER ? HS_BORDER : h < t ? quads++ : u->quad[t];
+            u->quad[h] = !makes_quad(s, h) ? HS_BORDER : h < t ? quads++ : u->quad[t];
         }
     }
     u->first[s->faces] = s->halfedges;
 }
 
 bool uniform_record_make(uniform_record *record, hs_golden *golden, const hs_mesh *mesh,
-                         const float matrix[16], uint32_t last, hs_error *err) {
-    /* The step to generation last + 1 is the last one, and goes out; nobody looks. */
-    const hs_settings settings = {.uniform = true, .uniform_depth = (uint8_t)(last + 1)};
-    recorder r = {.record = record, .last = last};
+                         const float matrix[16], const hs_settings *settings, hs_error *err) {
+    const uint8_t front = settings->front_depth, silhouette = settings->silhouette_depth;
+    const hs_settings uniform = {.uniform = true,
+                                 .uniform_depth = front > silhouette ? front : silhouette,
+                                 .boundary = settings->boundary};
+    /* The last step's children go out; nobody looks. */
+    recorder r = {.record = record, .last = uniform.uniform_depth - 1u};
     hs_packet in = {0}, out = {0};
     hs_golden_report report;
     record->generations = 0;
     hs_golden_observe(golden, &(hs_observer){.context = &r, .decided = record_generation});
-    bool good = hs_packet_encode(&in, 0, mesh, matrix, &settings, err) &&
+    bool good = hs_packet_encode(&in, 0, mesh, matrix, &uniform, err) &&
                 hs_golden_run(golden, &in, &out, &report, err);
     hs_golden_observe(golden, NULL);
     hs_packet_free(&in);
@@ -244,7 +279,8 @@ static void follow(invariant_watch *w, const hs_state *s, const uniform_generati
         w->vertex[s->vertices + created++] = u->vertices + w->face[f];
         for (uint32_t i = 0; i < hs_face_sides(s, f); i++) {
             const uint32_t h = hs_face_first(s, f) + i, t = s->twin[h];
-            if (t != HS_BORDER && h < t && is_refined(s, hs_face_of(s, t)))
+            if (makes_quad(s, h) && h < t &&
+                (t == BOUNDARY_TWIN || is_refined(s, hs_face_of(s, t))))
                 w->next_face[quads++] = u->quad[uniform_halfedge(w, u, f, i)];
         }
     }
@@ -389,6 +425,9 @@ static void spoil_state(void *context, const hs_state *s) {
     spoil(s->old, 16, s->generation % 2 ? v : 0, more_v, vr, p);
     spoil(s->clip, 16, 0, more_v, vr, p);
     spoil(s->sum, sizeof *s->sum, 0, more_v, vr, p);
+    spoil(s->ring, sizeof *s->ring, 0, more_v, s->ring_room, p);
+    spoil(s->stays, 1, v, more_v, vr, p);
+    spoil(s->crease, 1, v, more_v, vr, p);
     spoil(s->valence, 1, v, more_v, vr, p);
     spoil(s->mark, 1, 0, more_v, vr, p);
     spoil(s->sent, 1, v, more_v, vr, p);
@@ -402,9 +441,11 @@ static void spoil_state(void *context, const hs_state *s) {
     spoil(s->next_forced, 1, 0, more_f, fr, p);
     spoil(s->origin, 4, h, more_h, hr, p);
     spoil(s->twin, 4, h, more_h, hr, p);
+    spoil(s->sharp, 1, h, more_h, hr, p);
     spoil(s->child, 4, 0, more_h, hr, p);
     spoil(s->next_origin, 4, 0, more_h, hr, p);
     spoil(s->next_twin, 4, 0, more_h, hr, p);
+    spoil(s->next_sharp, 1, 0, more_h, hr, p);
     if (s->generation) {
         spoil(s->first, 4, 0, more_f, fr, p);
         spoil(s->face, 4, 0, more_h, hr, p);

@@ -18,10 +18,12 @@
 #include "mesh.h"
 #include "stream.h"
 
-/* I1. Every directed edge occurs once; its opposite occurs too, unless the edge was on the initial
- * mesh's boundary; and those boundary edges are all still there. Adds the edges to *compared. */
-bool invariant_conforming(const hs_output *output, const hs_mesh *mesh, uint64_t *compared,
-                          hs_error *err);
+/* I1. Every directed edge occurs once; its opposite occurs too, unless the edge is on the boundary:
+ * in the mode `kept` one of the initial mesh's boundary edges, all of which are still there; in the
+ * others one of a chain of edges that leads from its first vertex to its second, and there are no
+ * more than these chains. Adds the edges to *compared. */
+bool invariant_conforming(const hs_output *output, const hs_mesh *mesh, hs_boundary boundary,
+                          uint64_t *compared, hs_error *err);
 
 /* What a uniform run of a view looked like, generation by generation: the yardstick for I2, I3. */
 enum { UNIFORM_GENERATIONS = 9 };
@@ -38,10 +40,10 @@ typedef struct uniform_record {
     uniform_generation generation[UNIFORM_GENERATIONS];
 } uniform_record;
 
-/* Records a uniform run of generations 0 to last, at most UNIFORM_GENERATIONS - 1. Replaces what
- * *record, zeroed at first, held. */
+/* Records the uniform run with the boundary of these settings, all generations in which they may
+ * refine. Replaces what *record, zeroed at first, held. */
 bool uniform_record_make(uniform_record *record, hs_golden *golden, const hs_mesh *mesh,
-                         const float matrix[16], uint32_t last, hs_error *err);
+                         const float matrix[16], const hs_settings *settings, hs_error *err);
 void uniform_record_free(uniform_record *record);
 
 /* Watches a run of the same view, guard on, and checks somewhat more than the invariants ask for:

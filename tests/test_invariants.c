@@ -1,11 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
- * The invariants of docs/refinement.md, on all built-in shapes and all of ../shared/meshes, each in
- * twenty views: around, close, inside, grazing, behind, singular, mirrored; depths 4/8.
+ * The invariants of docs/refinement.md, on all built-in shapes, all of ../shared/meshes and its
+ * tagged ones, poles, n-gons and cubes with random tags; each in twenty views (around, close,
+ * inside, grazing, behind, singular, mirrored), depths 4/8, over all boundary modes, with limit
+ * positions and without, with a least edge and without.
  */
 #include "catmull_clark.h"
 #include "invariants.h"
-#include "reference_samples.h"
+#include "reference_shapes.h"
 #include "view.h"
 
 static const hs_limits limits = {1 << 22, 1 << 22};
@@ -86,8 +88,18 @@ static view_set views_of(const hs_mesh *mesh) {
     return set;
 }
 
-static hs_settings settings_for(bool guard) {
-    return (hs_settings){.front_depth = 4, .silhouette_depth = 8, .guard = guard};
+/* The twelve combinations of boundary mode, limit and least edge take turns from view to view, and
+ * start elsewhere with every mesh. In 20 views each combination has its turn at every mesh. */
+static hs_settings settings_for(uint32_t mesh, uint32_t view, bool guard) {
+    const uint32_t turn = mesh + view;
+    return (hs_settings){.front_depth = 4,
+                         .silhouette_depth = 8,
+                         .guard = guard,
+                         .boundary = (hs_boundary)(turn % 3),
+                         .limit = turn / 3 % 2,
+                         .min_edge = turn / 6 % 2 ? 6 * HS_PIXEL_FRACTION : 0,
+                         .width = 640,
+                         .height = 640};
 }
 
 /* --- Runs, any failure of which ends the test ----------------------------------------------------
@@ -121,12 +133,12 @@ static void output_is_conforming_with_and_without_guard(void **state) {
         const hs_mesh *mesh = &all->item[i].mesh;
         const view_set set = views_of(mesh);
         for (uint32_t k = 0; k < 2 * set.count; k++) {
-            const hs_settings settings = settings_for(k % 2 == 0);
+            const hs_settings settings = settings_for(i, k / 2, k % 2 == 0);
             run(golden, mesh, &set.view[k / 2], &settings, &in, &out);
             hs_output output;
             hs_error err;
             if (!hs_output_decode(&output, &out, &err) ||
-                !invariant_conforming(&output, mesh, &edges, &err))
+                !invariant_conforming(&output, mesh, settings.boundary, &edges, &err))
                 fail_msg("%s, view %u, guard %d: %s", all->item[i].name, k / 2, settings.guard,
                          err.text);
             hs_output_free(&output);
@@ -150,13 +162,12 @@ static void what_a_view_refines_is_a_part_of_the_uniform_surface(void **state) {
     uint64_t rings = 0, positions = 0, idle = 0;
     for (uint32_t i = 0; i < all->count; i++) {
         const hs_mesh *mesh = &all->item[i].mesh;
-        const hs_settings settings = settings_for(true);
         const view_set set = views_of(mesh);
         const uint64_t before = rings + positions;
         for (uint32_t k = 0; k < set.count; k++) {
+            const hs_settings settings = settings_for(i, k, true);
             hs_error err;
-            if (!uniform_record_make(&uniform, golden, mesh, set.view[k].matrix,
-                                     settings.silhouette_depth - 1u, &err))
+            if (!uniform_record_make(&uniform, golden, mesh, set.view[k].matrix, &settings, &err))
                 fail_msg("%s", err.text);
             const hs_observer observer = invariant_watch_begin(&watch, &uniform);
             hs_golden_observe(golden, &observer);
@@ -185,6 +196,7 @@ static void what_a_view_refines_is_a_part_of_the_uniform_surface(void **state) {
 /* Refines level by level what golden had at generation 0, and compares at 2, 4 and 6. */
 typedef struct {
     const sample *sample;
+    hs_boundary boundary;
     hs_catmull_clark surface;
     uint64_t corners;
 } level_check;
@@ -195,7 +207,7 @@ static void check_level(void *context, const hs_state *s) {
     if (s->generation % 2 == 1) return;
     if (s->generation == 0) {
         if (!hs_catmull_clark_new(&c->surface, &c->sample->mesh, (const int32_t(*)[4])s->position,
-                                  &err))
+                                  c->boundary, &err))
             fail_msg("%s", err.text);
         return;
     }
@@ -214,26 +226,30 @@ static void two_uniform_steps_are_one_catmull_clark_level(void **state) {
     const samples *all = *state;
     hs_golden *golden = new_golden();
     hs_packet in = {0}, out = {0};
-    uint64_t corners = 0, meshes = 0;
+    uint64_t corners[2] = {0}, open_corners = 0, runs = 0;
     for (uint32_t i = 0; i < all->count; i++) {
-        if (!all->item[i].closed) continue;
         const hs_mesh *mesh = &all->item[i].mesh;
         const view_set set = views_of(mesh);
         const uint32_t chosen[] = {1, ORBIT + 3, ORBIT + 9}; /* orbit, inside, perspective */
-        for (uint32_t k = 0; k < 3; k++) {
-            const hs_settings settings = {.uniform = true, .uniform_depth = 7};
-            level_check check = {.sample = &all->item[i]};
+        for (uint32_t k = 0; k < 6; k++) {
+            const hs_boundary boundary = k % 2 ? HS_BOUNDARY_EDGE_ONLY : HS_BOUNDARY_SMOOTH;
+            const hs_settings settings = {
+                .uniform = true, .uniform_depth = 7, .boundary = boundary, .limit = k < 2};
+            level_check check = {.sample = &all->item[i], .boundary = boundary};
             hs_golden_observe(golden, &(hs_observer){.context = &check, .entered = check_level});
-            run(golden, mesh, &set.view[chosen[k]], &settings, &in, &out);
+            run(golden, mesh, &set.view[chosen[k / 2]], &settings, &in, &out);
             assert_int_equal(check.surface.level, 3);
             hs_catmull_clark_free(&check.surface);
-            corners += check.corners;
+            corners[k % 2] += check.corners;
+            open_corners += all->item[i].closed ? 0 : check.corners;
+            runs++;
         }
-        meshes++;
     }
-    print_message("I4: %llu closed meshes, levels 1 to 3, %llu corners\n",
-                  (unsigned long long)meshes, (unsigned long long)corners);
-    assert_true(meshes > 5 && corners > 1000000);
+    print_message("I4: %u meshes, %llu runs, levels 1 to 3, %llu + %llu corners, %llu of them on "
+                  "open meshes\n",
+                  all->count, (unsigned long long)runs, (unsigned long long)corners[0],
+                  (unsigned long long)corners[1], (unsigned long long)open_corners);
+    assert_true(corners[0] > 1000000 && corners[1] > 1000000 && open_corners > 1000000);
     hs_packet_free(&in);
     hs_packet_free(&out);
     hs_golden_free(golden);
@@ -252,11 +268,11 @@ static void output_depends_on_its_packet_alone(void **state) {
         const view_set set = views_of(mesh);
         hs_packet first[2 * MOST_VIEWS] = {0};
         for (uint32_t k = 0; k < 2 * set.count; k++) {
-            const hs_settings settings = settings_for(k % 2 == 0);
+            const hs_settings settings = settings_for(i, k / 2, k % 2 == 0);
             run(golden, mesh, &set.view[k / 2], &settings, &in, &first[k]);
         }
         for (uint32_t k = 2 * set.count; k-- > 0;) { /* the other way round */
-            const hs_settings settings = settings_for(k % 2 == 0);
+            const hs_settings settings = settings_for(i, k / 2, k % 2 == 0);
             run(other, mesh, &set.view[k / 2], &settings, &in, &out);
             assert_int_equal(out.words, first[k].words);
             if (memcmp(out.word, first[k].word, 4 * out.words) != 0)
@@ -280,6 +296,12 @@ static void output_depends_on_its_packet_alone(void **state) {
     hs_golden_free(other);
 }
 
+static int make_all_samples(void **state) {
+    if (make_samples(state) != 0) return -1;
+    add_sharp_samples(*state);
+    return 0;
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(output_is_conforming_with_and_without_guard),
@@ -287,5 +309,5 @@ int main(void) {
         cmocka_unit_test(two_uniform_steps_are_one_catmull_clark_level),
         cmocka_unit_test(output_depends_on_its_packet_alone),
     };
-    return cmocka_run_group_tests_name("invariants", tests, make_samples, free_samples);
+    return cmocka_run_group_tests_name("invariants", tests, make_all_samples, free_samples);
 }
