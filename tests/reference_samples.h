@@ -120,6 +120,15 @@ static inline void add_files(samples *all) {
     closedir(folder);
 }
 
+static inline void see_which_are_closed(samples *all) {
+    for (uint32_t i = 0; i < all->count; i++) {
+        sample *s = &all->item[i];
+        s->closed = true;
+        for (uint32_t h = 0; h < s->mesh.halfedges; h++)
+            s->closed &= s->mesh.twin[h] != HS_BORDER;
+    }
+}
+
 static inline int make_samples(void **state) {
     samples *all = calloc(1, sizeof *all);
     assert_non_null(all);
@@ -132,12 +141,7 @@ static inline int make_samples(void **state) {
             fail_msg("%s", err.text);
     }
     add_files(all);
-    for (uint32_t i = 0; i < all->count; i++) {
-        sample *s = &all->item[i];
-        s->closed = true;
-        for (uint32_t h = 0; h < s->mesh.halfedges; h++)
-            s->closed &= s->mesh.twin[h] != HS_BORDER;
-    }
+    see_which_are_closed(all);
     *state = all;
     return 0;
 }

@@ -247,6 +247,7 @@ static inline void add_sharp_samples(samples *all) {
     for (uint32_t i = 0; i < 20; i++)
         build_random_cube(&add_sample(all, "random cube")->mesh, 77 + i);
     add_tagged_files(all);
+    see_which_are_closed(all);
 }
 
 static inline int make_sharp_samples(void **state) {
