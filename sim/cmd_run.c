@@ -271,8 +271,8 @@ static bool prepare(hs_run *run, hs_error *err) {
         snprintf(path, sizeof path, "%s/views.txt", r->out);
         if (!hs_views_write(&run->views, path, err)) return false;
         if (r->engines & (1u << HS_ENGINE_golden | 1u << HS_ENGINE_rtl)) {
-            run->pictures = hs_run_pictures_new(&run->mesh, r->settings.boundary, r->width,
-                                                r->height, r->reference_levels, err);
+            run->pictures = hs_run_pictures_new(&run->mesh, &r->settings, r->width, r->height,
+                                                r->reference_levels, err);
             if (!run->pictures) return false;
         }
     }

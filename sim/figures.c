@@ -225,8 +225,8 @@ static bool draw_ramp(hs_picture *picture, hs_renderer *renderer, const hs_figur
 static bool draw_reference(hs_picture *picture, hs_renderer *renderer,
                            const hs_figure_source *source, hs_error *err) {
     hs_reference_surface reference;
-    if (!hs_reference_surface_make(&reference, source->mesh, source->settings.boundary,
-                                   source->levels, err))
+    if (!hs_reference_surface_make(&reference, source->mesh, &source->settings, source->levels,
+                                   err))
         return false;
     hs_surface surface = {0};
     const bool done = hs_surface_of_faces(&surface, &reference.faces, source->matrix, err) &&

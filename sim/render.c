@@ -273,7 +273,7 @@ static void see(hs_point *point, const double clip[4], const hs_window *window) 
 
 /* The points of a face's corners and, behind them, of their mean. */
 static void face_points(const hs_surface *surface, uint32_t face, const hs_window *window,
-                        const float *vertex_normal, hs_point *point) {
+                        const float *corner_normal, hs_point *point) {
     uint32_t begin = surface->first[face], sides = surface->first[face + 1] - begin;
     double clip[4], mean_clip[4] = {0}, place[3], mean_place[3] = {0}, normal[3] = {0};
     if (surface->object) hs_face_normal(surface, face, normal);
@@ -291,19 +291,20 @@ static void face_points(const hs_surface *surface, uint32_t face, const hs_windo
             place[k] = i < sides ? surface->object[3 * (size_t)v + k] : mean_place[k] / sides;
             mean_place[k] += place[k];
             point[i].to_eye[k] = (float)((surface->eye[k] - place[k] * surface->eye[3]) / unit);
-            bool averaged = vertex_normal && i < sides;
-            point[i].normal[k] = averaged ? vertex_normal[3 * (size_t)v + k] : (float)normal[k];
+            const bool smooth = corner_normal && i < sides;
+            point[i].normal[k] =
+                smooth ? corner_normal[3 * (size_t)(begin + i) + k] : (float)normal[k];
         }
     }
 }
 
 static void draw_faces(hs_renderer *r, const hs_surface *surface, const hs_window *window,
-                       const float *vertex_normal, const uint32_t *color) {
+                       const float *corner_normal, const uint32_t *color) {
     hs_point corner[HS_MAX_SIDES + 1] = {0};
     uint8_t triangle[3 * HS_MAX_SIDES];
     begin(r, GL_TRIANGLES);
     for (uint32_t f = 0; f < surface->faces; f++) {
-        face_points(surface, f, window, vertex_normal, corner);
+        face_points(surface, f, window, corner_normal, corner);
         uint32_t count = 3 * hs_surface_triangles(surface, f, triangle);
         for (uint32_t i = 0; i < count; i++) {
             set_paint(&corner[triangle[i]], color[f], 1);
@@ -424,8 +425,9 @@ bool hs_renderer_draw(hs_renderer *renderer, const hs_surface *surface, const hs
 
     *picture = (hs_picture){0};
     uint32_t *color = malloc((surface->faces + (size_t)1) * sizeof *color);
-    float *normal = smooth ? malloc((surface->vertices * (size_t)3 + 1) * sizeof *normal) : NULL;
-    bool done = color && (!smooth || (normal && hs_vertex_normals(surface, normal)));
+    const size_t corners = surface->faces ? surface->first[surface->faces] : 0;
+    float *normal = smooth ? malloc((3 * corners + 1) * sizeof *normal) : NULL;
+    bool done = color && (!smooth || (normal && hs_corner_normals(surface, normal)));
     if (!done) hs_fail(err, HS_EXIT_INTERNAL, "no memory to draw %u faces", surface->faces);
     if (done && !make_current(r)) done = hs_fail(err, HS_EXIT_INTERNAL, "OSMesa lost its context");
     if (done) {

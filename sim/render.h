@@ -35,6 +35,7 @@ typedef struct hs_surface {
     uint32_t vertices, faces;
     float *clip;         /* 4 per vertex: x, y, z, w of the view that is drawn */
     double *object;      /* 3 per vertex: x, y, z in object space; NULL: not known, colours flat */
+    float *normal;       /* 3 per corner: unit normals in object space; NULL: means of the faces' */
     uint32_t *first;     /* faces + 1: where a face's corners begin */
     uint32_t *corner;    /* vertices of the faces */
     uint8_t *generation; /* per face: its depth of refinement */
@@ -59,6 +60,7 @@ bool hs_surface_of_mesh(hs_surface *surface, const hs_mesh *mesh, const float ma
 typedef struct hs_faces {
     uint32_t vertices, faces;
     const double *position;    /* 4 per vertex: x, y, z, w */
+    const float *normal;       /* 3 per corner: unit vectors; NULL: means of the faces' */
     const uint32_t *first;     /* faces + 1 */
     const uint32_t *corner;    /* first[faces] */
     const uint8_t *generation; /* per face; NULL: all 0 */
@@ -106,7 +108,7 @@ typedef struct hs_window {
 /* A zeroed style is a filled, flatly lit clay picture without wires or legend. */
 typedef struct hs_style {
     enum hs_paint paint;
-    bool smooth;       /* normals averaged at the vertices; otherwise one normal a face */
+    bool smooth;       /* the corners' normals; otherwise one normal a face */
     bool wires;        /* the faces' edges; the surface's boundary is drawn bolder */
     bool legend;       /* explains the paint, lower left corner */
     uint8_t deepest;   /* generation at the dark end of the palette; 0: the surface's deepest */

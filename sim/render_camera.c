@@ -127,6 +127,7 @@ bool hs_surface_turn(hs_surface *turned, const hs_surface *surface, double degre
     if (!hs_surface_make(turned, surface->vertices, surface->faces, surface->first, surface->corner,
                          surface->generation, err))
         return false;
+    if (surface->normal && !hs_surface_add_normals(turned, surface->normal, err)) return false;
     memcpy(turned->object, surface->object, (size_t)surface->vertices * 3 * sizeof(double));
     memcpy(turned->facing, surface->facing, surface->faces);
     look_at_sphere(turned->matrix, box.middle, fmax(box.radius, 1e-30), to_eye, axis, aspect);

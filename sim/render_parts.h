@@ -27,10 +27,16 @@ void hs_eye_of_matrix(double eye[4], const double m[16]);
 bool hs_surface_make(hs_surface *surface, uint32_t vertices, uint32_t faces, const uint32_t *first,
                      const uint32_t *corner, const uint8_t *generation, hs_error *err);
 
-/* Unit normals in object space (surface->object must not be NULL): of a face, and of all vertices
- * (3 per vertex; corner normals weighted by their angles). False: no memory. */
+/* Gives a surface 3 numbers per corner. False, the surface freed: no memory. */
+bool hs_surface_add_normals(hs_surface *surface, const float *normal, hs_error *err);
+
+/* Unit normals in object space (surface->object must not be NULL): of a face, and of all corners, 3
+ * numbers each. A corner's is the surface's own, if it has any, or the mean of the faces around the
+ * vertex, weighted by their angles there. No mean is taken across a crease: between faces of
+ * generation 2 and more that are more than HS_CREASE_DEGREES apart. False: no memory. */
+#define HS_CREASE_DEGREES 60
 void hs_face_normal(const hs_surface *surface, uint32_t face, double normal[3]);
-bool hs_vertex_normals(const hs_surface *surface, float *normal);
+bool hs_corner_normals(const hs_surface *surface, float *normal);
 
 /* An edge of the surface, once, whichever faces share it. */
 typedef struct hs_edge {

@@ -76,6 +76,7 @@ void hs_surface_free(hs_surface *surface) {
     free(surface->corner);
     free(surface->generation);
     free(surface->facing);
+    free(surface->normal);
     *surface = (hs_surface){0};
 }
 
@@ -124,7 +125,9 @@ static void place_vertex(hs_surface *surface, uint32_t v, const double p[4], boo
 
 static void drop_object_space(hs_surface *surface) {
     free(surface->object);
+    free(surface->normal);
     surface->object = NULL;
+    surface->normal = NULL;
 }
 
 static int32_t block_exponent(const hs_surface *surface) {
@@ -211,7 +214,8 @@ bool hs_surface_of_mesh(hs_surface *surface, const hs_mesh *mesh, const float ma
 bool hs_surface_of_faces(hs_surface *surface, const hs_faces *faces, const float matrix[16],
                          hs_error *err) {
     if (!hs_surface_make(surface, faces->vertices, faces->faces, faces->first, faces->corner,
-                         faces->generation, err))
+                         faces->generation, err) ||
+        (faces->normal && !hs_surface_add_normals(surface, faces->normal, err)))
         return false;
     bool finite = true;
     for (int i = 0; i < 16; i++)
@@ -275,33 +279,6 @@ static void vector_area(const hs_surface *surface, uint32_t face, double area[3]
 void hs_face_normal(const hs_surface *surface, uint32_t face, double normal[3]) {
     vector_area(surface, face, normal);
     if (!hs_normalize(normal)) normal[2] = 1;
-}
-
-bool hs_vertex_normals(const hs_surface *surface, float *normal) {
-    double *sum = calloc((size_t)surface->vertices * 3 + 1, sizeof *sum);
-    if (!sum) return false;
-    for (uint32_t f = 0; f < surface->faces; f++) {
-        uint32_t begin = surface->first[f], sides = surface->first[f + 1] - begin;
-        for (uint32_t i = 0; i < sides; i++) {
-            double out[3], in[3], n[3];
-            const double *here = corner_place(surface, f, i);
-            subtract(out, corner_place(surface, f, (i + 1) % sides), here);
-            subtract(in, corner_place(surface, f, (i + sides - 1) % sides), here);
-            if (!hs_normalize(out) || !hs_normalize(in)) continue;
-            hs_cross(n, out, in);
-            double angle = acos(fmin(fmax(hs_dot(out, in), -1), 1));
-            if (!hs_normalize(n)) continue;
-            for (uint32_t k = 0; k < 3; k++)
-                sum[3 * (size_t)surface->corner[begin + i] + k] += angle * n[k];
-        }
-    }
-    for (uint32_t v = 0; v < surface->vertices; v++) {
-        hs_normalize(&sum[3 * (size_t)v]);
-        for (uint32_t k = 0; k < 3; k++)
-            normal[3 * (size_t)v + k] = (float)sum[3 * (size_t)v + k];
-    }
-    free(sum);
-    return true;
 }
 
 /* Whether a, b, c turn left, seen against the normal; straight is not left. */

@@ -34,53 +34,98 @@ static uint32_t affordable_level(const hs_mesh *mesh, uint32_t levels) {
     return affordable;
 }
 
+/* True if every edge becomes a quad, so that all faces are active until the end. */
+static bool has_limit(const hs_mesh *mesh, hs_boundary boundary) {
+    return boundary != HS_BOUNDARY_KEPT || is_closed(mesh);
+}
+
 static bool refine(hs_reference *reference, const hs_mesh *mesh, hs_boundary boundary,
                    uint32_t level, hs_error *err) {
     if (!hs_reference_new(reference, mesh, NULL, boundary, err)) return false;
-    const bool direct = boundary != HS_BOUNDARY_KEPT || is_closed(mesh);
+    const bool direct = has_limit(mesh, boundary);
     for (uint32_t i = 0; i < level; i++) {
         bool done = direct ? hs_reference_catmull_clark(reference, err)
                            : hs_reference_step(reference, NULL, err) &&
                                  hs_reference_step(reference, NULL, err);
         if (!done) return false;
     }
-    return hs_reference_finish(reference, err);
+    return true;
 }
 
-bool hs_reference_surface_make(hs_reference_surface *surface, const hs_mesh *mesh,
-                               hs_boundary boundary, uint32_t levels, hs_error *err) {
-    *surface =
-        (hs_reference_surface){.level = affordable_level(mesh, levels), .asked_level = levels};
-    hs_reference reference = {0};
-    if (!refine(&reference, mesh, boundary, surface->level, err)) {
-        hs_reference_free(&reference);
-        return false;
-    }
-    uint32_t vertices = reference.vertices, faces = reference.finals;
-    surface->position = calloc((size_t)vertices * 4, sizeof *surface->position);
+static bool exhausted(uint32_t faces, hs_error *err) {
+    return hs_fail(err, HS_EXIT_INTERNAL, "no memory for a reference surface of %u faces", faces);
+}
+
+/* The corners of active faces, in their order, are those of the final faces that come of them. */
+static bool take_limits(hs_reference_surface *surface, const hs_reference *reference, bool move,
+                        hs_error *err) {
+    double(*position)[4] = calloc((size_t)reference->vertices + 1, sizeof *position);
+    double(*normal)[3] = calloc((size_t)reference->corners + 1, sizeof *normal);
+    surface->normal = malloc((3 * (size_t)reference->corners + 1) * sizeof *surface->normal);
+    bool done = position && normal && surface->normal;
+    if (!done) exhausted(reference->faces, err);
+    done = done && hs_reference_limit(reference, position, normal, err);
+    for (size_t i = 0; i < 3 * (size_t)reference->corners && done; i++)
+        surface->normal[i] = (float)normal[i / 3][i % 3];
+    if (done && move)
+        memcpy(surface->position, position, (size_t)reference->vertices * sizeof *position);
+    free(position);
+    free(normal);
+    return done;
+}
+
+static bool take_faces(hs_reference_surface *surface, const hs_reference *reference,
+                       hs_error *err) {
+    const uint32_t faces = reference->finals;
     surface->first = calloc((size_t)faces + 1, sizeof *surface->first);
-    surface->corner = calloc(reference.final_corners, sizeof *surface->corner);
-    surface->generation = calloc(faces, 1);
-    bool done = surface->position && surface->first && surface->corner && surface->generation;
-    for (uint32_t v = 0; v < vertices && done; v++)
-        memcpy(&surface->position[4 * (size_t)v], reference.vertex[v].position, 4 * sizeof(double));
-    for (uint32_t f = 0; f < faces && done; f++) {
-        const hs_reference_final *final = &reference.final[f];
-        memcpy(&surface->corner[surface->first[f]], &reference.final_vertex[final->v.first],
+    surface->corner = calloc((size_t)reference->final_corners + 1, sizeof *surface->corner);
+    surface->generation = calloc((size_t)faces + 1, 1);
+    if (!surface->first || !surface->corner || !surface->generation) return exhausted(faces, err);
+    for (uint32_t f = 0; f < faces; f++) {
+        const hs_reference_final *final = &reference->final[f];
+        memcpy(&surface->corner[surface->first[f]], &reference->final_vertex[final->v.first],
                final->v.count * sizeof(uint32_t));
         surface->first[f + 1] = surface->first[f] + final->v.count;
         surface->generation[f] = (uint8_t) final->generation;
     }
-    hs_reference_free(&reference);
-    surface->faces = (hs_faces){vertices,       faces,           surface->position,
-                                surface->first, surface->corner, surface->generation};
-    if (done) return true;
-    hs_reference_surface_free(surface);
-    return hs_fail(err, HS_EXIT_INTERNAL, "no memory for a reference surface of %u faces", faces);
+    return true;
+}
+
+static bool take_positions(hs_reference_surface *surface, const hs_reference *reference,
+                           hs_error *err) {
+    surface->position = calloc((size_t)reference->vertices * 4 + 1, sizeof *surface->position);
+    if (!surface->position) return exhausted(reference->faces, err);
+    for (uint32_t v = 0; v < reference->vertices; v++)
+        memcpy(&surface->position[4 * (size_t)v], reference->vertex[v].position,
+               4 * sizeof *surface->position);
+    return true;
+}
+
+bool hs_reference_surface_make(hs_reference_surface *surface, const hs_mesh *mesh,
+                               const hs_settings *settings, uint32_t levels, hs_error *err) {
+    const hs_boundary boundary = settings->boundary;
+    *surface =
+        (hs_reference_surface){.level = affordable_level(mesh, levels), .asked_level = levels};
+    hs_reference r = {0};
+    const bool done =
+        refine(&r, mesh, boundary, surface->level, err) && take_positions(surface, &r, err) &&
+        (!has_limit(mesh, boundary) || take_limits(surface, &r, settings->limit, err)) &&
+        hs_reference_finish(&r, err) && take_faces(surface, &r, err);
+    surface->faces = (hs_faces){.vertices = r.vertices,
+                                .faces = r.finals,
+                                .position = surface->position,
+                                .normal = surface->normal,
+                                .first = surface->first,
+                                .corner = surface->corner,
+                                .generation = surface->generation};
+    hs_reference_free(&r);
+    if (!done) hs_reference_surface_free(surface);
+    return done;
 }
 
 void hs_reference_surface_free(hs_reference_surface *surface) {
     free(surface->position);
+    free(surface->normal);
     free(surface->first);
     free(surface->corner);
     free(surface->generation);
@@ -98,8 +143,9 @@ struct hs_run_pictures {
     hs_reference_surface surface; /* no faces: there is none */
 };
 
-hs_run_pictures *hs_run_pictures_new(const hs_mesh *mesh, hs_boundary boundary, uint32_t width,
-                                     uint32_t height, uint32_t levels, hs_error *err) {
+hs_run_pictures *hs_run_pictures_new(const hs_mesh *mesh, const hs_settings *settings,
+                                     uint32_t width, uint32_t height, uint32_t levels,
+                                     hs_error *err) {
     hs_run_pictures *pictures = calloc(1, sizeof *pictures);
     if (!pictures) {
         hs_fail(err, HS_EXIT_INTERNAL, "no memory for pictures");
@@ -108,7 +154,7 @@ hs_run_pictures *hs_run_pictures_new(const hs_mesh *mesh, hs_boundary boundary, 
     pictures->mesh = mesh;
     pictures->renderer = hs_renderer_new(width, height, SAMPLES, err);
     if (pictures->renderer &&
-        (levels == 0 || hs_reference_surface_make(&pictures->surface, mesh, boundary, levels, err)))
+        (levels == 0 || hs_reference_surface_make(&pictures->surface, mesh, settings, levels, err)))
         return pictures;
     hs_run_pictures_free(pictures);
     return NULL;
@@ -209,7 +255,9 @@ static bool draw_reference(hs_picture *picture, hs_run_pictures *pictures, const
     if (!hs_surface_of_faces(&surface, &pictures->surface.faces, matrix, err)) return false;
     if (!lit) {
         free(surface.object);
+        free(surface.normal);
         surface.object = NULL;
+        surface.normal = NULL;
     }
     bool done =
         hs_view_picture_draw(picture, HS_VIEW_REFINED, pictures->renderer, &surface, NULL, err);

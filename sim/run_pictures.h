@@ -31,22 +31,25 @@ enum { HS_REFERENCE_SURFACE_FACES = 400000, HS_REFERENCE_SURFACE_LEVELS = 4 };
 /* How strongly pictures of differences show a difference of colour. */
 #define HS_DIFFERENCE_GAIN 4.0
 
-/* A uniformly refined mesh in object space, in doubles. */
+/* A uniformly refined mesh in object space, in doubles, with the normals of its limit surface (but
+ * where an open mesh's boundary is kept: such a mesh has no limit at its boundary). */
 typedef struct hs_reference_surface {
     uint32_t level;       /* Catmull-Clark levels that were made, each of two steps */
     uint32_t asked_level; /* level, unless HS_REFERENCE_SURFACE_FACES forbids that many */
     hs_faces faces;       /* for hs_surface_of_faces; its arrays are the surface's */
     double *position;
+    float *normal;
     uint32_t *first, *corner;
     uint8_t *generation;
 } hs_reference_surface;
 
 /* Refines a mesh uniformly, so many levels or as many as HS_REFERENCE_SURFACE_FACES allows: by
  * Catmull-Clark, or, in the boundary mode `kept` where the mesh is open, by steps that keep the
- * boundary's edges, as the pipeline does. On failure *surface is empty (HS_EXIT_INTERNAL: memory).
- */
+ * boundary's edges, as the pipeline does. Of the settings, boundary and limit count; with limit,
+ * vertices are at their limit positions, where they have any. On failure *surface is empty
+ * (HS_EXIT_INTERNAL: memory). */
 bool hs_reference_surface_make(hs_reference_surface *surface, const hs_mesh *mesh,
-                               hs_boundary boundary, uint32_t levels, hs_error *err);
+                               const hs_settings *settings, uint32_t levels, hs_error *err);
 void hs_reference_surface_free(hs_reference_surface *surface);
 
 /* --- The pictures of a run -------------------------------------------------------------------- */
@@ -78,10 +81,12 @@ typedef struct hs_run_pictures_report {
 
 typedef struct hs_run_pictures hs_run_pictures;
 
-/* A context for the views of one mesh. levels: of the reference surface; 0: none. The mesh must
- * outlive it. NULL, with the reason, as hs_renderer_new. */
-hs_run_pictures *hs_run_pictures_new(const hs_mesh *mesh, hs_boundary boundary, uint32_t width,
-                                     uint32_t height, uint32_t levels, hs_error *err);
+/* A context for the views of one mesh. Of the settings, boundary and limit count. levels: of the
+ * reference surface; 0: none. The mesh must outlive it. NULL, with the reason, as hs_renderer_new.
+ */
+hs_run_pictures *hs_run_pictures_new(const hs_mesh *mesh, const hs_settings *settings,
+                                     uint32_t width, uint32_t height, uint32_t levels,
+                                     hs_error *err);
 
 /* The reference surface, to say what it is; NULL if there is none. */
 const hs_reference_surface *hs_run_pictures_reference(const hs_run_pictures *pictures);

@@ -73,7 +73,8 @@ static hs_surface make_polygon(const double (*corner)[4], uint32_t sides, const 
     uint32_t first[2] = {0, sides}, index[HS_MAX_SIDES];
     for (uint32_t i = 0; i < sides; i++)
         index[i] = i;
-    const hs_faces faces = {sides, 1, corner[0], first, index, NULL};
+    const hs_faces faces = {
+        .vertices = sides, .faces = 1, .position = corner[0], .first = first, .corner = index};
     hs_surface surface;
     assert_true(hs_surface_of_faces(&surface, &faces, matrix, &err));
     return surface;
@@ -327,7 +328,12 @@ static void the_close_up_goes_to_the_deepest_visible_faces(void **state) {
             generation[f] = in_patch || alone ? 7 : 3;
         }
     hs_error err = {0};
-    const hs_faces faces = {GRID + 4, N * N + 1, position[0], first, corner, generation};
+    const hs_faces faces = {.vertices = GRID + 4,
+                            .faces = N * N + 1,
+                            .position = position[0],
+                            .first = first,
+                            .corner = corner,
+                            .generation = generation};
     hs_surface surface;
     hs_window window;
     assert_true(hs_surface_of_faces(&surface, &faces, identity, &err));

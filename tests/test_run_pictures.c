@@ -22,6 +22,8 @@
 
 enum { SIZE = 240 };
 
+static const hs_settings kept = {.boundary = HS_BOUNDARY_KEPT};
+
 /* --- Material --------------------------------------------------------------------------------- */
 
 /* A shape seen through a matrix, and what the golden model made of it. */
@@ -69,8 +71,7 @@ static void free_scene(scene *s) {
 
 static hs_run_pictures *make_pictures(const hs_mesh *mesh, uint32_t levels) {
     hs_error err = {0};
-    hs_run_pictures *pictures =
-        hs_run_pictures_new(mesh, HS_BOUNDARY_KEPT, SIZE, SIZE, levels, &err);
+    hs_run_pictures *pictures = hs_run_pictures_new(mesh, &kept, SIZE, SIZE, levels, &err);
     if (!pictures) fail_msg("%s", err.text);
     return pictures;
 }
@@ -115,7 +116,7 @@ static void reference_surface_of_a_closed_mesh_has_four_times_the_quads_per_leve
     assert_true(hs_shape_make(&mesh, "icosahedron", 0, 1, &err));
     for (uint32_t levels = 0; levels <= 4; levels++) {
         hs_reference_surface surface;
-        assert_true(hs_reference_surface_make(&surface, &mesh, HS_BOUNDARY_KEPT, levels, &err));
+        assert_true(hs_reference_surface_make(&surface, &mesh, &kept, levels, &err));
         assert_int_equal(surface.level, levels);
         uint32_t faces = levels == 0 ? 20 : 60u << 2 * (levels - 1);
         assert_int_equal(surface.faces.faces, faces);
@@ -135,7 +136,7 @@ static void reference_surface_stays_below_its_limit_and_says_its_level(void **st
     /* 4,096 quads: 16,384, 65,536, 262,144, and then too many. */
     assert_true(hs_shape_make(&mesh, "grid", 64, 1, &err));
     assert_int_equal(mesh.faces, 4096);
-    assert_true(hs_reference_surface_make(&surface, &mesh, HS_BOUNDARY_KEPT, 5, &err));
+    assert_true(hs_reference_surface_make(&surface, &mesh, &kept, 5, &err));
     assert_int_equal(surface.level, 3);
     assert_int_equal(surface.asked_level, 5);
     assert_true(surface.faces.faces <= HS_REFERENCE_SURFACE_FACES);
@@ -150,7 +151,7 @@ static void reference_surface_of_an_open_mesh_keeps_its_boundary(void **state) {
     hs_mesh mesh;
     hs_reference_surface surface;
     assert_true(hs_shape_make(&mesh, "grid", 4, 1, &err));
-    assert_true(hs_reference_surface_make(&surface, &mesh, HS_BOUNDARY_KEPT, 2, &err));
+    assert_true(hs_reference_surface_make(&surface, &mesh, &kept, 2, &err));
     assert_int_equal(surface.level, 2);
     /* The same number of faces that the pipeline sends at depth 4. */
     const float identity[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
@@ -408,7 +409,7 @@ static void written_pictures_have_the_size_asked_for(void **state) {
     scene s = make_scene("cube", 0, adaptive);
     const hs_run_output output = {"rtl", &s.output};
     hs_run_pictures_report report;
-    hs_run_pictures *pictures = hs_run_pictures_new(&s.mesh, HS_BOUNDARY_KEPT, 120, 80, 1, &err);
+    hs_run_pictures *pictures = hs_run_pictures_new(&s.mesh, &kept, 120, 80, 1, &err);
     assert_non_null(pictures);
     folder f = make_folder();
     assert_true(hs_run_pictures_view(pictures, f.path, "", s.matrix, &output, 1, &report, &err));
@@ -422,7 +423,7 @@ static void written_pictures_have_the_size_asked_for(void **state) {
     }
     remove_pictures(&f);
     hs_run_pictures_free(pictures);
-    assert_null(hs_run_pictures_new(&s.mesh, HS_BOUNDARY_KEPT, 20000, 20000, 1, &err));
+    assert_null(hs_run_pictures_new(&s.mesh, &kept, 20000, 20000, 1, &err));
     assert_int_equal(err.code, HS_EXIT_USAGE);
     free_scene(&s);
 }
