@@ -83,32 +83,64 @@ typedef struct reader {
     uint32_t number[4];
 } reader;
 
+static void show_flags(uint32_t flags, FILE *text) {
+    static const struct {
+        uint32_t flag;
+        const char *name;
+    } known[] = {{HS_FLAG_UNIFORM, " uniform"},
+                 {HS_FLAG_GUARD, " guard"},
+                 {HS_FLAG_LIMIT, " limit"},
+                 {HS_FLAG_SMOOTH, " smooth"},
+                 {HS_FLAG_EDGE_ONLY, " edge-only"}};
+    if (!flags) fprintf(text, " none");
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
+        if (flags & known[i].flag) fprintf(text, "%s", known[i].name);
+        flags &= ~known[i].flag;
+    }
+    if (flags) fprintf(text, " unknown ones");
+}
+
+static void show_sharpness(const char *what, uint32_t sharpness, FILE *text) {
+    if (sharpness == HS_SHARP_INFINITE)
+        fprintf(text, ", %s sharp for ever", what);
+    else if (sharpness)
+        fprintf(text, ", %s sharp for %u", what, sharpness);
+}
+
+static void show_halfedge(reader *in, uint64_t halfedge, const uint32_t *w, FILE *text) {
+    if ((w[2] >> 16 & 255) == 0) in->face++;
+    fprintf(text, "half-edge %llu: side %u of %u of face %u, from vertex %u, ",
+            (unsigned long long)halfedge, w[2] >> 16 & 255, w[2] & 255, in->face - 1, w[0]);
+    if (w[1] == HS_BORDER)
+        fprintf(text, "border");
+    else
+        fprintf(text, "twin %u", w[1]);
+    if (w[2] >> 8 & 255) fprintf(text, ", forced %u", w[2] >> 8 & 255);
+    show_sharpness("edge", w[3] & 15, text);
+    show_sharpness("vertex", w[3] >> 4 & 15, text);
+}
+
 static void show_input_record(reader *in, uint64_t record, const uint32_t *w, FILE *text) {
     const uint64_t vertices = HS_HEADER_RECORDS + HS_MATRIX_RECORDS;
     const uint64_t halfedges = vertices + in->vertices, trailer = halfedges + in->halfedges;
     if (record == 0) {
         in->vertices = w[3];
-        fprintf(text, "view, version %u, flags:%s%s%s; %u vertices", w[1],
-                w[2] & HS_FLAG_UNIFORM ? " uniform" : "", w[2] & HS_FLAG_GUARD ? " guard" : "",
-                w[2] >> 2 ? " unknown ones" : (w[2] ? "" : " none"), w[3]);
+        fprintf(text, "view, version %u, flags:", w[1]);
+        show_flags(w[2], text);
+        fprintf(text, "; %u vertices", w[3]);
     } else if (record == 1) {
         in->halfedges = w[1];
         fprintf(text, "%u faces, %u half-edges; depths: front %u, silhouette %u, uniform %u", w[0],
                 w[1], w[2] & 255, w[2] >> 8 & 255, w[2] >> 16 & 255);
+    } else if (record == 2) {
+        fprintf(text, "least edge %g pixels of %u x %u",
+                (w[0] & 0xffff) / (double)HS_PIXEL_FRACTION, w[1] & 0xffff, w[1] >> 16);
     } else if (record < vertices) {
         show_numbers("matrix row", record - HS_HEADER_RECORDS, w, text);
     } else if (record < halfedges) {
         show_numbers("vertex", record - vertices, w, text);
     } else if (record < trailer) {
-        if ((w[2] >> 16 & 255) == 0) in->face++;
-        fprintf(text, "half-edge %llu: side %u of %u of face %u, from vertex %u, ",
-                (unsigned long long)(record - halfedges), w[2] >> 16 & 255, w[2] & 255,
-                in->face - 1, w[0]);
-        if (w[1] == HS_BORDER)
-            fprintf(text, "border");
-        else
-            fprintf(text, "twin %u", w[1]);
-        if (w[2] >> 8 & 255) fprintf(text, ", forced %u", w[2] >> 8 & 255);
+        show_halfedge(in, record - halfedges, w, text);
     } else if (record == trailer) {
         fprintf(text, "end, CRC-32");
     } else {
@@ -168,7 +200,8 @@ static void show_output_record(reader *out, const uint32_t *w, FILE *text) {
         fprintf(text, "; %u vertices, %u faces", w[2], w[3]);
         return;
     case HS_RECORD_END:
-        fprintf(text, "end: generation %u, %u triangles, CRC-32", low, w[1]);
+        fprintf(text, "end: generation %u, %u triangles, %u vertices at their level, CRC-32", low,
+                w[1], w[2]);
         return;
     default:
         fprintf(text, "no kind of record");

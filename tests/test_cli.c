@@ -436,6 +436,19 @@ static void a_stream_shown_as_text_builds_the_same_stream(void **state) {
         snprintf(line, sizeof line, "cmp %s/%s %s/again.hss", place.path, name[i], place.path);
         assert_int_equal(system(line), 0);
     }
+    write_file("square.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n"
+                             "t crease 2/1/0 0 1 3\nt corner 1/1/0 2 10\n");
+    expect(HS_EXIT_OK,
+           "run @/square.obj --limit --boundary edge-only --min-edge-px 2.5 --front 2 "
+           "--silhouette 2 --engine golden --size 48x32 --out @/square",
+           "edge-only, limit, edges of 2.5 px");
+    const char *const shown[] = {"flags: guard limit edge-only; 4 vertices",
+                                 "least edge 2.5 pixels of 48 x 32", "matrix row 0:",
+                                 "border, edge sharp for 3", "vertex sharp for ever"};
+    for (size_t i = 0; i < sizeof shown / sizeof *shown; i++)
+        expect(HS_EXIT_OK, "trace show @/square/view-000/input.hss", shown[i]);
+    expect(HS_EXIT_OK, "trace show @/square/view-000/output.hss",
+           "0 triangles, 0 vertices at their level");
     write_file("text.txt", "packet 7\n1.5 0 0 ff # numbers\n0 0 0 crc\n");
     expect(HS_EXIT_OK, "trace build @/text.txt @/small.hss", "");
     expect(HS_EXIT_OK, "trace show @/small.hss", "3fc00000 00000000 00000000 000000ff");
