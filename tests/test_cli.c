@@ -442,9 +442,9 @@ static void a_stream_shown_as_text_builds_the_same_stream(void **state) {
            "run @/square.obj --limit --boundary edge-only --min-edge-px 2.5 --front 2 "
            "--silhouette 2 --engine golden --size 48x32 --out @/square",
            "edge-only, limit, edges of 2.5 px");
-    const char *const shown[] = {"flags: guard limit edge-only; 4 vertices",
-                                 "least edge 2.5 pixels of 48 x 32", "matrix row 0:",
-                                 "border, edge sharp for 3", "vertex sharp for ever"};
+    const char *const shown[] = {
+        "flags: guard limit edge-only; 4 vertices", "least edge 2.5 pixels of 48 x 32",
+        "matrix row 0:", "border, edge sharp for 3", "vertex sharp for ever"};
     for (size_t i = 0; i < sizeof shown / sizeof *shown; i++)
         expect(HS_EXIT_OK, "trace show @/square/view-000/input.hss", shown[i]);
     expect(HS_EXIT_OK, "trace show @/square/view-000/output.hss",
