@@ -5,8 +5,11 @@
 $(BUILD)/bench: $(BUILD)/tests/osd.o
 $(BUILD)/bench: LIBS += -losdCPU
 
-.PHONY: bench accuracy
+.PHONY: bench accuracy saving
 bench: $(BUILD)/bench ## golden's speed beside OpenSubdiv's, one thread
+	$<
+
+saving: $(BUILD)/saving ## faces and silhouette of fixed depths beside those of least edges
 	$<
 
 accuracy: $(BUILD)/accuracy ## distance to doubles: block floating point beside binary32
