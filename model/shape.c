@@ -91,6 +91,10 @@ static void make_grid(hs_cage *cage, uint32_t size, uint32_t seed) {
 const hs_shape hs_shapes[] = {
     {"hand", "an open right hand, palm to the front", 0, 0, 0, false, hs_shape_hand},
     {"monster", "the head of a horned monster", 0, 0, 0, false, hs_shape_monster},
+    {"spoon", "a thin spoon: one sheet, one boundary", 0, 0, 0, false, hs_shape_spoon},
+    {"pot", "a teapot: body, lid and open spout, with boundaries", 0, 0, 0, false, hs_shape_pot},
+    {"die", "a die; its edges are sharp for size - 1 levels, at 11 for ever", 11, 1, 11, false,
+     hs_shape_die},
     {"cube", "a cube of size x size quads a side", 1, 1, 256, false, make_cube},
     {"tetrahedron", "four triangles", 0, 0, 0, false, make_tetrahedron},
     {"icosahedron", "twenty triangles", 0, 0, 0, false, make_icosahedron},

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
  * Meshes made from parameters, so that nobody needs a mesh file to start: test bodies, random
- * bodies, and the two shapes that show what view-dependent refinement is for, a hand and a
- * monster's head. All but the grid are closed; faces run counter-clockwise seen from outside; up
- * is +y and fronts face +z. Only +, -, *, / and sqrt are used, each rounded as IEEE 754 says, so
- * the same name, size and seed give the same bits on every machine.
+ * bodies, two shapes that show what view-dependent refinement is for, a hand and a monster's head,
+ * and three for boundaries and creases: a spoon, a pot and a die. All but the grid, the spoon and
+ * the pot are closed; faces run counter-clockwise seen from outside; up is +y and fronts face +z.
+ * Only +, -, *, / and sqrt are used, each rounded as IEEE 754 says, so the same name, size and seed
+ * give the same bits on every machine.
  */
 #ifndef HS_SHAPE_H
 #define HS_SHAPE_H

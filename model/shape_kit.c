@@ -58,15 +58,17 @@ double hs_random_signed(uint64_t *state) {
 /* --- The cage -------------------------------------------------------------------------------- */
 
 void hs_cage_init(hs_cage *cage) {
-    *cage = (hs_cage){.point_capacity = 256, .face_capacity = 256};
+    *cage = (hs_cage){.point_capacity = 256, .face_capacity = 256, .tag_capacity = 64};
     cage->point = calloc(cage->point_capacity, sizeof *cage->point);
     cage->face = calloc(cage->face_capacity, sizeof *cage->face);
-    cage->failed = !cage->point || !cage->face;
+    cage->tag = calloc(cage->tag_capacity, sizeof *cage->tag);
+    cage->failed = !cage->point || !cage->face || !cage->tag;
 }
 
 void hs_cage_free(hs_cage *cage) {
     free(cage->point);
     free(cage->face);
+    free(cage->tag);
     *cage = (hs_cage){0};
 }
 
@@ -110,6 +112,20 @@ uint32_t hs_cage_quad(hs_cage *cage, uint32_t a, uint32_t b, uint32_t c, uint32_
 uint32_t hs_cage_triangle(hs_cage *cage, uint32_t a, uint32_t b, uint32_t c) {
     uint32_t corner[3] = {a, b, c};
     return hs_cage_face_of(cage, 3, corner);
+}
+
+void hs_cage_crease(hs_cage *cage, uint32_t a, uint32_t b, uint32_t sharpness) {
+    if (cage->failed) return;
+    if (cage->tags == cage->tag_capacity) {
+        hs_sharp_tag *more = realloc(cage->tag, 2 * cage->tag_capacity * sizeof *more);
+        if (!more) {
+            cage->failed = true;
+            return;
+        }
+        cage->tag = more;
+        cage->tag_capacity *= 2;
+    }
+    cage->tag[cage->tags++] = (hs_sharp_tag){.v = a, .w = b, .sharpness = (float)sharpness};
 }
 
 void hs_cage_tube(hs_cage *cage, uint32_t n, const uint32_t *a, const uint32_t *b) {
@@ -353,7 +369,9 @@ bool hs_cage_mesh(const hs_cage *cage, const char *name, hs_mesh *mesh, hs_error
                         .position = position,
                         .faces = faces,
                         .sides = sides,
-                        .corner = corner};
+                        .corner = corner,
+                        .tags = cage->tags,
+                        .tag = cage->tag};
         ok = hs_mesh_build(mesh, &soup, NULL, err);
     }
     free(position);

@@ -35,8 +35,9 @@ typedef struct hs_cage_face {
 typedef struct hs_cage {
     hs_vec *point;
     hs_cage_face *face;
-    uint32_t points, faces;
-    uint32_t point_capacity, face_capacity;
+    hs_sharp_tag *tag;
+    uint32_t points, faces, tags;
+    uint32_t point_capacity, face_capacity, tag_capacity;
     bool failed;
 } hs_cage;
 
@@ -92,6 +93,10 @@ uint32_t hs_cage_face_of(hs_cage *cage, uint32_t sides, const uint32_t *corner);
 uint32_t hs_cage_quad(hs_cage *cage, uint32_t a, uint32_t b, uint32_t c, uint32_t d);
 uint32_t hs_cage_triangle(hs_cage *cage, uint32_t a, uint32_t b, uint32_t c);
 
+/* Makes the edge between two points sharp for so many Catmull-Clark levels, 10 and more: for ever.
+ * It has to be one of the finished mesh's. */
+void hs_cage_crease(hs_cage *cage, uint32_t a, uint32_t b, uint32_t sharpness);
+
 /* The faces between two loops of n points each, one quad a side: (a0, a1, b1, b0) and so on. */
 void hs_cage_tube(hs_cage *cage, uint32_t n, const uint32_t *a, const uint32_t *b);
 
@@ -127,7 +132,8 @@ void hs_cage_move(hs_cage *cage, uint32_t faces, const uint32_t *face, hs_vec ce
 uint32_t hs_cage_collect(const hs_cage *cage, uint32_t faces, const uint32_t *face, uint32_t limit,
                          uint32_t *points);
 
-/* Adds the mirror image of everything at the plane x = 0; points with x = 0 are shared. */
+/* Adds the mirror image of everything at the plane x = 0; points with x = 0 are shared. Creases are
+ * to be made afterwards. */
 void hs_cage_mirror(hs_cage *cage);
 
 /* Makes one face of two that share exactly one edge and no other point. Keeps number a, deletes b.
@@ -150,6 +156,9 @@ void hs_shape_mixed(hs_cage *cage, uint32_t size, uint32_t seed);
 void hs_shape_random(hs_cage *cage, uint32_t size, uint32_t seed);
 void hs_shape_hand(hs_cage *cage, uint32_t size, uint32_t seed);
 void hs_shape_monster(hs_cage *cage, uint32_t size, uint32_t seed);
+void hs_shape_spoon(hs_cage *cage, uint32_t size, uint32_t seed);
+void hs_shape_pot(hs_cage *cage, uint32_t size, uint32_t seed);
+void hs_shape_die(hs_cage *cage, uint32_t size, uint32_t seed);
 /* size segments around the axis (+y), half as many around the tube; radii 1 and 0.4. */
 void hs_shape_torus(hs_cage *cage, uint32_t size, uint32_t seed);
 

@@ -126,7 +126,9 @@ static bool equal_meshes(const hs_mesh *a, const hs_mesh *b) {
            memcmp(a->position, b->position, a->vertices * 4 * sizeof *a->position) == 0 &&
            memcmp(a->first, b->first, (a->faces + 1) * sizeof *a->first) == 0 &&
            memcmp(a->origin, b->origin, a->halfedges * sizeof *a->origin) == 0 &&
-           memcmp(a->twin, b->twin, a->halfedges * sizeof *a->twin) == 0;
+           memcmp(a->twin, b->twin, a->halfedges * sizeof *a->twin) == 0 &&
+           !a->sharpness == !b->sharpness &&
+           (!a->sharpness || memcmp(a->sharpness, b->sharpness, a->halfedges) == 0);
 }
 
 /* Every claim that holds for each closed body. */
@@ -192,10 +194,14 @@ static uint32_t faces_of(const census *c) {
 /* --- All shapes --------------------------------------------------------------------------------
  */
 
-static void every_shape_but_the_grid_is_a_closed_body_with_its_faces_outward(void **state) {
+static bool is_open(const char *name) {
+    return strcmp(name, "grid") == 0 || strcmp(name, "spoon") == 0 || strcmp(name, "pot") == 0;
+}
+
+static void every_other_shape_is_a_closed_body_with_its_faces_outward(void **state) {
     (void)state;
     for (const hs_shape *s = hs_shapes; s->name; s++)
-        if (strcmp(s->name, "grid") != 0)
+        if (!is_open(s->name))
             assert_closed_body(s->name, 0, 2, strcmp(s->name, "torus") == 0 ? 0 : 2);
 }
 
@@ -347,10 +353,100 @@ static void the_monster_is_mostly_quads_and_symmetric_to_the_bit(void **state) {
     hs_mesh_free(&m);
 }
 
-static void hand_and_monster_do_not_pass_through_themselves(void **state) {
+/* Boundary vertices with one face would be corners that stay where they are. */
+static void the_spoon_is_a_sheet_of_116_quads_without_a_corner(void **state) {
     (void)state;
-    const char *name[2] = {"hand", "monster"};
-    for (int i = 0; i < 2; i++) {
+    hs_mesh m = make("spoon", 0, 0);
+    census c = take_census(&m);
+    assert_int_equal(m.faces, 116);
+    assert_int_equal(c.sides[4], 116);
+    assert_int_equal(c.border_loops, 1);
+    assert_int_equal(c.border, 40);
+    assert_int_equal(c.components, 1);
+    assert_int_equal(c.euler, 1);
+    assert_int_equal(c.valences[1], 0);
+    assert_int_equal(c.valences[2], c.border);
+    assert_true(c.smallest_area > 0.005 && c.repeated_corners == 0);
+    double lowest = INFINITY;
+    for (uint32_t f = 0; f < m.faces; f++) { /* hollow to the front, and nowhere turned over */
+        const float *a = m.position + 4 * m.origin[4 * f],
+                    *b = m.position + 4 * m.origin[4 * f + 1];
+        const float *d = m.position + 4 * m.origin[4 * f + 3];
+        assert_true((b[0] - a[0]) * (d[1] - a[1]) - (b[1] - a[1]) * (d[0] - a[0]) > 0);
+        lowest = fmin(lowest, (double)a[2]);
+    }
+    assert_true(lowest < -0.4);
+    hs_mesh_free(&m);
+}
+
+static void the_pot_has_two_parts_and_three_openings(void **state) {
+    (void)state;
+    hs_mesh m = make("pot", 0, 0);
+    census c = take_census(&m);
+    assert_int_equal(c.components, 2);
+    assert_int_equal(c.border_loops, 3);
+    assert_int_equal(c.border, 11 + 11 + 8);
+    /* A disc, the lid, has 1; a sphere with a handle has 0, less 1 for rim and spout each. */
+    assert_int_equal(c.euler, 1 - 2);
+    assert_int_equal(c.sides[3], 11);
+    assert_int_equal(c.sides[11], 1);
+    assert_int_equal(c.sides[4], m.faces - 12);
+    assert_int_equal(c.valences[1], 0);
+    assert_int_equal(c.valences[11], 1);
+    assert_true(c.smallest_area > 0.002 && c.repeated_corners == 0);
+    assert_true(c.volume > 10);
+    hs_mesh_free(&m);
+}
+
+static void the_die_has_seven_pips_on_opposite_sides(void **state) {
+    (void)state;
+    census c = assert_closed_body("die", 0, 0, 2);
+    /* 150 faces, and twelve more for every pip. */
+    assert_int_equal(c.sides[4], 150 + 21 * 12);
+    hs_mesh m = make("die", 0, 0);
+    uint32_t pips[3][2] = {{0}};
+    for (uint32_t f = 0; f < m.faces; f++) { /* the floor of a pip is the deepest */
+        const float *p = m.position + 4 * m.origin[4 * f];
+        for (uint32_t k = 0; k < 3; k++) {
+            bool floor = fabsf(p[k]) > 0.8f && fabsf(p[k]) < 0.85f;
+            for (uint32_t i = 0; i < 4; i++)
+                floor = floor && m.position[4 * m.origin[4 * f + i] + k] == p[k];
+            pips[k][p[k] > 0] += floor;
+        }
+    }
+    assert_int_equal(pips[0][1], 1);
+    assert_int_equal(pips[1][1], 2);
+    assert_int_equal(pips[2][1], 3);
+    for (int k = 0; k < 3; k++)
+        assert_int_equal(pips[k][0] + pips[k][1], 7);
+    hs_mesh_free(&m);
+}
+
+static void the_die_is_sharp_for_as_long_as_its_size_says_but_for_the_corners(void **state) {
+    (void)state;
+    for (uint32_t size = 1; size <= 11; size++) {
+        hs_mesh m = make("die", size, 0);
+        const uint8_t expected = (uint8_t)(size < 11 ? size - 1 : HS_SHARP_INFINITE);
+        uint32_t sharp = 0;
+        for (uint32_t h = 0; m.sharpness && h < m.halfedges; h++) {
+            if (m.sharpness[h] == 0) continue;
+            assert_int_equal(m.sharpness[h], expected);
+            const float *p = m.position + 4 * m.origin[h];
+            uint32_t at_end = 0;
+            for (int k = 0; k < 3; k++)
+                at_end += fabsf(p[k]) == 1;
+            assert_int_equal(at_end, 2);
+            sharp++;
+        }
+        assert_int_equal(sharp, size == 1 ? 0 : 2 * 12 * 3); /* half-edges: three on each edge */
+        hs_mesh_free(&m);
+    }
+}
+
+static void no_shape_that_is_modelled_passes_through_itself(void **state) {
+    (void)state;
+    const char *name[] = {"hand", "monster", "spoon", "pot", "die"};
+    for (int i = 0; i < 5; i++) {
         hs_mesh m = make(name[i], 0, 0);
         assert_int_equal(count_piercings(&m), 0);
         hs_mesh_free(&m);
@@ -374,7 +470,7 @@ static void a_point_pushed_through_a_body_is_seen(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_shape_but_the_grid_is_a_closed_body_with_its_faces_outward),
+        cmocka_unit_test(every_other_shape_is_a_closed_body_with_its_faces_outward),
         cmocka_unit_test(the_same_name_size_and_seed_make_the_same_mesh),
         cmocka_unit_test(a_size_of_0_is_the_default_size),
         cmocka_unit_test(an_unknown_name_is_answered_with_the_names),
@@ -385,7 +481,11 @@ int main(void) {
             mixed_has_every_valence_from_3_to_12_and_every_number_of_sides_from_3_to_9),
         cmocka_unit_test(fifty_seeds_of_random_are_closed_bodies_of_about_the_size_asked_for),
         cmocka_unit_test(the_hand_is_mostly_quads_with_some_triangles_and_pentagons),
-        cmocka_unit_test(hand_and_monster_do_not_pass_through_themselves),
+        cmocka_unit_test(the_spoon_is_a_sheet_of_116_quads_without_a_corner),
+        cmocka_unit_test(the_pot_has_two_parts_and_three_openings),
+        cmocka_unit_test(the_die_has_seven_pips_on_opposite_sides),
+        cmocka_unit_test(the_die_is_sharp_for_as_long_as_its_size_says_but_for_the_corners),
+        cmocka_unit_test(no_shape_that_is_modelled_passes_through_itself),
         cmocka_unit_test(a_point_pushed_through_a_body_is_seen),
         cmocka_unit_test(the_monster_is_mostly_quads_and_symmetric_to_the_bit),
     };
