@@ -44,9 +44,7 @@ static bool is_corner(hs_vec p) {
 static bool on_an_edge(hs_vec p, hs_vec q) {
     const bool x = p.x == q.x && fabs(p.x) == 1, y = p.y == q.y && fabs(p.y) == 1,
                z = p.z == q.z && fabs(p.z) == 1;
-    const bool corner =
-        fabs(p.x) + fabs(p.y) + fabs(p.z) == 3 || fabs(q.x) + fabs(q.y) + fabs(q.z) == 3;
-    return x + y + z == 2 && !corner;
+    return x + y + z == 2 && !is_corner(p) && !is_corner(q);
 }
 
 static void crease_edges(hs_cage *cage, uint32_t sharpness) {

@@ -13,3 +13,13 @@ pictures: $(BUILD)/halfstep ## docs/pictures/*.png, the pictures of README.md an
 	    --size 448x448 -o docs/pictures/ramp.png
 	$(PICTURE) shape:monster --what facing-side --turn 60 --size 448x448 -o docs/pictures/facing.png
 	$(PICTURE) shape:hand --what closeup-side --turn 100 --size 448x448 -o docs/pictures/closeup.png
+	$(PICTURE) shape:pot --what triptych --turn 60 --size 400x320 -o docs/pictures/pot.png
+	$(PICTURE) shape:spoon --what refined-wires --boundary kept --views docs/pictures/spoon.txt \
+	    --size 360x420 -o docs/pictures/spoon-kept.png
+	$(PICTURE) shape:spoon --what refined-wires --views docs/pictures/spoon.txt \
+	    --size 360x420 -o docs/pictures/spoon-smooth.png
+	$(PICTURE) shape:die:1 --views docs/pictures/die.txt --size 300x300 -o docs/pictures/die-0.png
+	$(PICTURE) shape:die:2 --views docs/pictures/die.txt --size 300x300 -o docs/pictures/die-1.png
+	$(PICTURE) shape:die:3 --views docs/pictures/die.txt --size 300x300 -o docs/pictures/die-2.png
+	$(PICTURE) shape:die:11 --views docs/pictures/die.txt --size 300x300 \
+	    -o docs/pictures/die-for-ever.png
