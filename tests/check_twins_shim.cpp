@@ -1,36 +1,18 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "check_twins_shim.h"
 
-#include <memory>
-
 #include "Vcheck_twins.h"
-#include "verilated.h"
+#include "simulated.h"
 
-struct check_twins_shim {
-    VerilatedContext context;
-    std::unique_ptr<Vcheck_twins> top;
+struct check_twins_shim : simulated<Vcheck_twins> {
+    using simulated::simulated;
 };
 
-static void rise(check_twins_shim *shim) {
-    shim->top->eval();
-    shim->top->clk_i = 1;
-    shim->top->eval();
-    shim->top->clk_i = 0;
-    shim->top->eval();
-    shim->context.timeInc(1);
-}
-
 check_twins_shim *check_twins_new(uint32_t seed) {
-    auto *shim = new check_twins_shim;
-    shim->context.randReset(2);
-    shim->context.randSeed(static_cast<int>(seed % 0x7fffffff + 1));
-    shim->top = std::make_unique<Vcheck_twins>(&shim->context);
-    shim->top->clk_i = 0;
+    auto *shim = new check_twins_shim(seed);
     shim->top->start_i = 0;
     shim->top->write_i = 0;
-    shim->top->rst_i = 1;
-    rise(shim);
-    shim->top->rst_i = 0;
+    shim->reset();
     return shim;
 }
 
@@ -50,16 +32,16 @@ check_verdict check_twins_run(check_twins_shim *shim, const check_corner *corner
         top.sharpness_i = corner[h].sharpness & 15;
         top.first_i = corner[h].first;
         top.last_i = corner[h].last;
-        rise(shim);
+        shim->rise();
     }
     top.write_i = 0;
     top.corners_i = static_cast<uint8_t>(corners);
     top.start_i = 1;
-    rise(shim);
+    shim->rise();
     top.start_i = 0;
     check_verdict verdict = {};
     while (top.active_o && verdict.cycles < 1000) {
-        rise(shim);
+        shim->rise();
         verdict.cycles++;
     }
     if (top.active_o) verdict.cycles = 0;

@@ -2,39 +2,22 @@
 #include "classify_shim.h"
 
 #include <cstring>
-#include <memory>
 
 #include "Vclassify.h"
-#include "verilated.h"
+#include "simulated.h"
 
-struct classify_shim {
-    VerilatedContext context;
-    std::unique_ptr<Vclassify> top;
-    uint32_t random;
+struct classify_shim : simulated<Vclassify> {
+    using simulated::simulated;
+    uint32_t random = 1;
 };
 
-static void rise(classify_shim *shim) {
-    shim->top->eval();
-    shim->top->clk_i = 1;
-    shim->top->eval();
-    shim->top->clk_i = 0;
-    shim->top->eval();
-    shim->context.timeInc(1);
-}
-
 classify_shim *classify_new(uint32_t seed) {
-    auto *shim = new classify_shim;
+    auto *shim = new classify_shim(seed);
     shim->random = seed | 1;
-    shim->context.randReset(2);
-    shim->context.randSeed(static_cast<int>(seed % 0x7fffffff + 1));
-    shim->top = std::make_unique<Vclassify>(&shim->context);
     Vclassify &top = *shim->top;
-    top.clk_i = 0;
     top.birth_i = top.load_i = top.hold_i = top.classify_i = top.smooth_i = top.look_i = 0;
     top.send_ready_i = 0;
-    top.rst_i = 1;
-    rise(shim);
-    top.rst_i = 0;
+    shim->reset();
     return shim;
 }
 
@@ -49,11 +32,11 @@ static void load(classify_shim *shim, uint32_t number, const classify_vertex &ve
     top.sharp_i = vertex.sharp;
     top.sent_i = vertex.sent;
     std::memcpy(&top.position_i, vertex.old, sizeof vertex.old);
-    rise(shim);
+    shim->rise();
     top.birth_i = 0;
     top.load_i = 1;
     std::memcpy(&top.position_i, vertex.position, sizeof vertex.position);
-    rise(shim);
+    shim->rise();
     top.load_i = 0;
 }
 
@@ -88,7 +71,7 @@ static bool classify(classify_shim *shim, const classify_generation &in, classif
         const bool asked = top.rd_en_o;
         const uint32_t item = top.rd_item_o;
         if (!top.classify_i && !top.classify_active_o) return true;
-        rise(shim);
+        shim->rise();
         if (asked && item < in.items) show(top, in.item[item]);
         top.classify_i = 0;
     }
@@ -100,7 +83,7 @@ static void look(classify_shim *shim, const classify_generation &in, classify_ru
     top.look_i = 1;
     for (uint32_t v = 0; v < in.vertices; v++) {
         top.row_i = static_cast<uint8_t>(v / 8);
-        rise(shim);
+        shim->rise();
         uint32_t word = 0;
         for (uint32_t bit = 0; bit < 13; bit++) {
             const uint32_t at = v % 8 * 13 + bit;
@@ -135,7 +118,7 @@ static bool smooth(classify_shim *shim, classify_run *out) {
             std::memcpy(vertex.left_at, &top.send_position_o, sizeof vertex.left_at);
         }
         if (!top.smooth_i && !top.smooth_active_o) return true;
-        rise(shim);
+        shim->rise();
         top.smooth_i = 0;
     }
     return false;
@@ -163,7 +146,7 @@ bool classify_generation_run(classify_shim *shim, const classify_generation *in,
     for (uint32_t v = 0; v < in->vertices; v++) {
         top.vertex_i = v;
         top.hold_i = in->vertex[v].held;
-        rise(shim);
+        shim->rise();
     }
     top.hold_i = 0;
     return smooth(shim, out);

@@ -2,30 +2,16 @@
 #include "geometry_shim.h"
 
 #include <cstring>
-#include <memory>
 
 #include "Vgeometry.h"
-#include "verilated.h"
+#include "simulated.h"
 
-struct geometry_rtl {
-    VerilatedContext context;
-    std::unique_ptr<Vgeometry> top;
-
-    void cycle() {
-        top->eval();
-        top->clk_i = 1;
-        top->eval();
-        top->clk_i = 0;
-        top->eval();
-    }
+struct geometry_rtl : simulated<Vgeometry> {
+    using simulated::simulated;
 };
 
 geometry_rtl *geometry_rtl_new(uint32_t seed) {
-    auto *rtl = new geometry_rtl;
-    rtl->context.randReset(2);
-    rtl->context.randSeed(static_cast<int>(seed % 0x7fffffff + 1));
-    rtl->top = std::make_unique<Vgeometry>(&rtl->context);
-    rtl->top->clk_i = 0;
+    auto *rtl = new geometry_rtl(seed);
     rtl->top->valid_i = 0;
     rtl->top->edges_valid_i = 0;
     geometry_rtl_reset(rtl);
@@ -33,14 +19,11 @@ geometry_rtl *geometry_rtl_new(uint32_t seed) {
 }
 
 void geometry_rtl_free(geometry_rtl *rtl) {
-    if (rtl) rtl->top->final();
     delete rtl;
 }
 
 void geometry_rtl_reset(geometry_rtl *rtl) {
-    rtl->top->rst_i = 1;
-    rtl->cycle();
-    rtl->top->rst_i = 0;
+    rtl->reset();
 }
 
 /* The 40 bits of a sum, at bit 40 k of words of 32. */
@@ -82,7 +65,7 @@ bool geometry_rtl_cycle(geometry_rtl *rtl, const geometry_settings *settings,
         std::memcpy(&top.position_i[0], in->position, sizeof in->position);
         std::memcpy(&top.source_i[0], in->source, sizeof in->source);
     }
-    rtl->cycle();
+    rtl->rise();
     return valid;
 }
 
@@ -100,7 +83,7 @@ bool geometry_rtl_edges(geometry_rtl *rtl, const geometry_settings *settings, ui
         }
     for (int i = 0; i < EDGES_LATENCY; i++) {
         top.edges_valid_i = i == 0;
-        rtl->cycle();
+        rtl->rise();
     }
     return top.edges_short_o;
 }

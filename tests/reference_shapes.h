@@ -250,6 +250,13 @@ static inline void add_sharp_samples(samples *all) {
     see_which_are_closed(all);
 }
 
+/* The meshes of reference_samples.h, and those of this file. */
+static inline int make_all_samples(void **state) {
+    if (make_samples(state) != 0) return -1;
+    add_sharp_samples(*state);
+    return 0;
+}
+
 static inline int make_sharp_samples(void **state) {
     samples *all = calloc(1, sizeof *all);
     assert_non_null(all);

@@ -1,43 +1,23 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "select_shim.h"
 
-#include <memory>
-
 #include "Vselect.h"
-#include "verilated.h"
+#include "simulated.h"
 
 static const int BANKS = 8, ROW_BITS = 5, MARK_BITS = 13;
 
-struct select_rtl {
-    VerilatedContext context;
-    std::unique_ptr<Vselect> top;
-
-    void rise() {
-        top->clk_i = 1;
-        top->eval();
-        top->clk_i = 0;
-        top->eval();
-    }
+struct select_rtl : simulated<Vselect> {
+    using simulated::simulated;
 };
 
 select_rtl *select_rtl_new(uint32_t seed) {
-    auto *rtl = new select_rtl;
-    rtl->context.randReset(2);
-    rtl->context.randSeed(static_cast<int>(seed % 0x7fffffff + 1));
-    rtl->top = std::make_unique<Vselect>(&rtl->context);
-    Vselect &top = *rtl->top;
-    top.clk_i = 0;
-    top.start_i = 0;
-    top.rst_i = 1;
-    top.eval();
-    rtl->rise();
-    rtl->rise();
-    top.rst_i = 0;
+    auto *rtl = new select_rtl(seed);
+    rtl->top->start_i = 0;
+    rtl->reset();
     return rtl;
 }
 
 void select_rtl_free(select_rtl *rtl) {
-    if (rtl) rtl->top->final();
     delete rtl;
 }
 

@@ -1,31 +1,15 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "sharpness_shim.h"
 
-#include <memory>
-
 #include "Vsharpness.h"
-#include "verilated.h"
+#include "simulated.h"
 
-struct sharpness_shim {
-    VerilatedContext context;
-    std::unique_ptr<Vsharpness> top;
+struct sharpness_shim : simulated<Vsharpness> {
+    using simulated::simulated;
 };
 
-static void rise(sharpness_shim *shim) {
-    shim->top->eval();
-    shim->top->clk_i = 1;
-    shim->top->eval();
-    shim->top->clk_i = 0;
-    shim->top->eval();
-    shim->context.timeInc(1);
-}
-
 sharpness_shim *sharpness_new(uint32_t seed) {
-    auto *shim = new sharpness_shim;
-    shim->context.randReset(2);
-    shim->context.randSeed(static_cast<int>(seed % 0x7fffffff + 1));
-    shim->top = std::make_unique<Vsharpness>(&shim->context);
-    shim->top->clk_i = 0;
+    auto *shim = new sharpness_shim(seed);
     shim->top->rst_i = 1;
     sharpness_cycle(shim, {});
     shim->top->rst_i = 0;
@@ -45,7 +29,7 @@ void sharpness_cycle(sharpness_shim *shim, sharpness_in in) {
     top.corner_boundary_i = in.boundary;
     top.corner_sharpness_i = in.sharpness & 15;
     top.corner_own_i = in.own & 15;
-    rise(shim);
+    shim->rise();
 }
 
 uint32_t sharpness_word(sharpness_shim *shim, uint8_t vertex) {

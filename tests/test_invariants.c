@@ -296,12 +296,6 @@ static void output_depends_on_its_packet_alone(void **state) {
     hs_golden_free(other);
 }
 
-static int make_all_samples(void **state) {
-    if (make_samples(state) != 0) return -1;
-    add_sharp_samples(*state);
-    return 0;
-}
-
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(output_is_conforming_with_and_without_guard),

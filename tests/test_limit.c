@@ -179,12 +179,6 @@ static void refining_deeper_moves_no_vertex_by_more_than_a_unit_a_level(void **s
     assert_true(sum.in_a_level == 1); /* rounding shows: the integers were compared */
 }
 
-static int make_all_samples(void **state) {
-    if (make_samples(state) != 0) return -1;
-    add_sharp_samples(*state);
-    return 0;
-}
-
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(refining_deeper_moves_no_vertex_by_more_than_a_unit_a_level),

@@ -364,7 +364,7 @@ static void without_a_whole_ring_a_vertex_stays_and_has_the_normal_of_its_fan(vo
     hs_mesh_free(&square);
 }
 
-static int make_all_samples(void **state) {
+static int make_limit_samples(void **state) {
     make_sharp_samples(state);
     add_files(*state);
     return 0;
@@ -380,5 +380,5 @@ int main(void) {
         cmocka_unit_test(a_sharp_cube_has_six_normals),
         cmocka_unit_test(without_a_whole_ring_a_vertex_stays_and_has_the_normal_of_its_fan),
     };
-    return cmocka_run_group_tests_name("reference limit", tests, make_all_samples, free_samples);
+    return cmocka_run_group_tests_name("reference limit", tests, make_limit_samples, free_samples);
 }

@@ -284,12 +284,6 @@ static void a_comparison_finds_what_is_different(void **state) {
     hs_golden_free(golden);
 }
 
-static int make_all_samples(void **state) {
-    make_samples(state);
-    add_sharp_samples(*state);
-    return 0;
-}
-
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(golden_is_within_the_documented_bound_of_the_reference),
