@@ -4,11 +4,11 @@
  * the surface that it stands for. The context holds what all views share: the renderer, and the
  * reference surface (uniform, so many Catmull-Clark levels, object space).
  *
- *   mesh -- uniform, in doubles, once a run --> reference surface -- matrix --> reference.png
- *                                                                                 | compared
- *   output of the first engine -- matrix --> the pictures of render.h, sheet.png -+->
- * difference.png | refined pictures: equal in every pixel output of another engine --- matrix
- * -----> '
+ *   mesh -- uniform, in doubles, once a run --> reference surface
+ *   reference surface -- matrix --> reference.png   -.
+ *   output of the first engine -- matrix --> refined -+-> difference.png, distances
+ *                                          |
+ *   output of another engine -- matrix --> refined: equal in every pixel, or the run has failed
  */
 #ifndef HS_RUN_PICTURES_H
 #define HS_RUN_PICTURES_H

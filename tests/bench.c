@@ -3,18 +3,18 @@
  * How fast golden is, beside OpenSubdiv: uniform refinement of one mesh, on one thread, in this
  * one process, in turns, the least of several rounds each. `make bench` runs it.
  *
- *   refinement   golden: from the initial active mesh, quantized, to the complete active mesh of
- *                generation D = 2 levels: twins, origins and positions of every quad. OpenSubdiv:
- *                RefineUniform (topology) and PrimvarRefiner (positions, four floats a vertex),
- * from a base mesh whose topology is complete packet       golden: from input packet to output
- * packet, both with CRC, checks and transform included; OpenSubdiv has no such thing
+ * Refinement is, for golden, from the initial active mesh, quantized, to the complete active mesh
+ * of generation D = 2 levels: twins, origins and positions of every quad; for OpenSubdiv,
+ * RefineUniform (topology) and PrimvarRefiner (positions, four floats a vertex), from a base mesh
+ * whose topology is complete. Packet is from input packet to output packet, both with CRC, checks
+ * and transform included; OpenSubdiv has no such thing.
  *
  * Both ask the system for tens of megabytes, and to get them page by page takes about as long as
- * the work itself. So there are two comparisons, each under the same terms:
- *   fresh   golden in a new context, OpenSubdiv in a new refiner, and malloc returns what is freed
- * to the system: all pages are new, as in a program's first view warm    golden in a context that
- * had this view before; OpenSubdiv in a new refiner (it has no other way), but malloc keeps what is
- * freed, so that its pages are there
+ * the work itself. So there are two comparisons, each under the same terms. Fresh: golden in a new
+ * context, OpenSubdiv in a new refiner, and malloc returns what is freed to the system; all pages
+ * are new, as in a program's first view. Warm: golden in a context that had this view before;
+ * OpenSubdiv in a new refiner (it has no other way), but malloc keeps what is freed, so that its
+ * pages are there.
  */
 #include <malloc.h>
 #include <stdio.h>
