@@ -92,6 +92,10 @@ static json_t *stages_of(report *r, const hs_run_view *view) {
     return stages;
 }
 
+static json_t *cycles_or_null(uint64_t cycles) {
+    return cycles == HS_NO_CYCLE ? json_null() : json_integer((json_int_t)cycles);
+}
+
 static json_t *engine_of(report *r, const hs_run_view *view, enum hs_engine engine) {
     const hs_engine_result *result = &view->engine[engine];
     json_t *e = json_object();
@@ -112,6 +116,8 @@ static json_t *engine_of(report *r, const hs_run_view *view, enum hs_engine engi
     }
     if (timed) {
         set_count(r, e, "first_out", view->rtl.first_out - view->rtl.start);
+        set(r, e, "first_face", cycles_or_null(view->latency.first_face));
+        set(r, e, "trailer", cycles_or_null(view->latency.trailer));
         set_count(r, e, "conflicts", view->rtl.conflicts);
         set(r, e, "ratio",
             view->bound.total ? json_real((double)view->rtl.cycles / (double)view->bound.total)

@@ -20,6 +20,7 @@ typedef struct hs_stalls {
 
 /* What one view cost. Counters are differences over the view. */
 typedef struct hs_rtl_report {
+    uint64_t begin;      /* cycle from which hs_rtl_word_cycle and waveforms count */
     uint64_t start, end; /* cycle of the first beat in, of the last beat out (TLAST) */
     uint64_t first_out;  /* cycle of the first beat out */
     uint64_t cycles;     /* end - start + 1 */

@@ -417,6 +417,7 @@ static bool stream(hs_rtl *rtl, const hs_packet *in, hs_stalls stalls, hs_packet
     size_t at = 0;
     rtl->beat_cycle.clear();
     bool offered = false, taken = false, ended = false, started = false;
+    report->begin = begin;
     report->first_out = 0;
     while (!ended || !taken || !rtl->bus.idle()) {
         if (!offered && !taken && !input.pause()) {

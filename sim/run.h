@@ -57,7 +57,7 @@ typedef struct hs_engine_result {
     uint32_t at_level; /* with settings.limit: vertices sent where their level has them */
     double seconds;
     uint64_t words;  /* of the output packet; 0 for the reference */
-    uint32_t digest; /* its CRC-32, all words */
+    uint32_t digest; /* of all its words but the last, CRC-32: hs_packet_crc */
 } hs_engine_result;
 
 /* Two engines compared. It holds if different is 0. */
@@ -69,6 +69,13 @@ typedef struct hs_comparison {
 
 enum { HS_RUN_COMPARISONS = 16 };
 
+/* Cycles from the first beat in to the beat out that holds the first face, and the trailer;
+ * HS_NO_CYCLE where there is none. */
+#define HS_NO_CYCLE UINT64_MAX
+typedef struct hs_latency {
+    uint64_t first_face, trailer;
+} hs_latency;
+
 /* Everything known of one view. */
 typedef struct hs_run_view {
     uint32_t number; /* from 0; TID of its packets */
@@ -79,6 +86,7 @@ typedef struct hs_run_view {
     size_t words_in;
     hs_bound bound;
     hs_rtl_report rtl;                 /* if rtl ran */
+    hs_latency latency;                /* of rtl */
     hs_reference_decisions decisions;  /* if reference ran */
     hs_reference_comparison reference; /* if reference and golden were compared */
     uint32_t comparisons;

@@ -43,37 +43,51 @@ void hs_run_table_head(const hs_run *run) {
     fprintf(run->table, "%s: %u faces, %u vertices; %s\n%s\n\n", r->mesh, run->mesh.faces,
             run->mesh.vertices, engines, how);
     fprintf(run->table,
-            "view     faces  vertices     cycles  c/face      bound  ratio  kHz  result\n");
+            "view     faces vertices    cycles c/face  face 1     bound ratio  kHz  result\n");
     fflush(run->table);
 }
 
+/* A row of the table, but for its number and its result. */
+typedef struct figures {
+    uint64_t faces, vertices, cycles, first_face, bound;
+    double seconds;
+} figures;
+
 /* Cycles, their ratios and speed; dashes where nothing was timed. */
-static void print_figures(const hs_run *run, uint64_t faces, uint64_t vertices, uint64_t cycles,
-                          uint64_t bound, double seconds) {
-    fprintf(run->table, "%9llu %9llu", (unsigned long long)faces, (unsigned long long)vertices);
-    if (has_rtl(run) && cycles) {
-        fprintf(run->table, " %10llu", (unsigned long long)cycles);
-        if (faces)
-            fprintf(run->table, " %7.2f", (double)cycles / (double)faces);
-        else
-            fprintf(run->table, " %7s", "-");
-        fprintf(run->table, " %10llu", (unsigned long long)bound);
-        if (bound)
-            fprintf(run->table, " %6.2f", (double)cycles / (double)bound);
-        else
-            fprintf(run->table, " %6s", "-");
-        fprintf(run->table, " %4.0f", (double)cycles / (seconds > 1e-9 ? seconds : 1e-9) / 1e3);
-    } else {
-        fprintf(run->table, " %10s %7s %10llu %6s %4s", "-", "-", (unsigned long long)bound, "-",
-                "-");
+static void print_figures(const hs_run *run, const figures *f) {
+    FILE *table = run->table;
+    fprintf(table, "%9llu %8llu", (unsigned long long)f->faces, (unsigned long long)f->vertices);
+    if (!has_rtl(run) || !f->cycles) {
+        fprintf(table, " %9s %6s %7s %9llu %5s %4s", "-", "-", "-", (unsigned long long)f->bound,
+                "-", "-");
+        return;
     }
+    fprintf(table, " %9llu", (unsigned long long)f->cycles);
+    if (f->faces)
+        fprintf(table, " %6.2f", (double)f->cycles / (double)f->faces);
+    else
+        fprintf(table, " %6s", "-");
+    if (f->first_face != HS_NO_CYCLE)
+        fprintf(table, " %7llu", (unsigned long long)f->first_face);
+    else
+        fprintf(table, " %7s", "-");
+    fprintf(table, " %9llu", (unsigned long long)f->bound);
+    if (f->bound)
+        fprintf(table, " %5.2f", (double)f->cycles / (double)f->bound);
+    else
+        fprintf(table, " %5s", "-");
+    fprintf(table, " %4.0f", (double)f->cycles / (f->seconds > 1e-9 ? f->seconds : 1e-9) / 1e3);
 }
 
 void hs_run_table_view(const hs_run *run, const hs_run_view *view) {
     const hs_engine_result *e = shown_engine(view);
     fprintf(run->table, "%4u ", view->number);
-    print_figures(run, e->faces, e->vertices, view->rtl.cycles, view->bound.total,
-                  view->engine[HS_ENGINE_rtl].seconds);
+    print_figures(run, &(figures){.faces = e->faces,
+                                  .vertices = e->vertices,
+                                  .cycles = view->rtl.cycles,
+                                  .first_face = view->latency.first_face,
+                                  .bound = view->bound.total,
+                                  .seconds = view->engine[HS_ENGINE_rtl].seconds});
     const char *result = view->comparisons ? "equal" : "done";
     const bool equal = hs_run_view_equal(view);
     if (!equal)
@@ -94,17 +108,16 @@ void hs_run_table_view(const hs_run *run, const hs_run_view *view) {
 }
 
 void hs_run_table_total(const hs_run *run) {
-    uint64_t faces = 0, vertices = 0, cycles = 0, bound = 0, compared = 0, different = 0;
-    uint64_t other = 0, decided = 0;
-    double seconds = 0;
+    figures sum = {.first_face = HS_NO_CYCLE}; /* no sum says anything about latencies */
+    uint64_t other = 0, decided = 0, compared = 0, different = 0;
     for (uint32_t i = 0; i < run->done; i++) {
         const hs_run_view *view = &run->view[i];
         const hs_engine_result *e = shown_engine(view);
-        faces += e->faces;
-        vertices += e->vertices;
-        cycles += view->rtl.cycles;
-        bound += view->bound.total;
-        seconds += view->engine[HS_ENGINE_rtl].seconds;
+        sum.faces += e->faces;
+        sum.vertices += e->vertices;
+        sum.cycles += view->rtl.cycles;
+        sum.bound += view->bound.total;
+        sum.seconds += view->engine[HS_ENGINE_rtl].seconds;
         other += view->decisions.refined_different;
         decided += view->decisions.faces;
         for (uint32_t c = 0; c < view->comparisons; c++)
@@ -115,7 +128,7 @@ void hs_run_table_total(const hs_run *run) {
     }
     if (run->done > 1) {
         fprintf(run->table, " all ");
-        print_figures(run, faces, vertices, cycles, bound, seconds);
+        print_figures(run, &sum);
         fprintf(run->table, "\n");
     }
     fprintf(run->table, "\n%u view%s in %.1f s", run->done, run->done == 1 ? "" : "s",

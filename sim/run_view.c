@@ -54,6 +54,21 @@ static bool run_golden(work *w, hs_error *err) {
     return true;
 }
 
+/* Of the first record of a kind. */
+static uint64_t record_latency(const work *w, uint32_t kind) {
+    const hs_packet *packet = &w->packet[HS_ENGINE_rtl];
+    const hs_rtl_report *rtl = &w->view->rtl;
+    for (size_t at = 0; at + 4 <= packet->words; at += 4)
+        if (packet->word[at] >> 20 == hs_tag(kind, 0) >> 20)
+            return rtl->begin + hs_rtl_word_cycle(w->run->rtl, at) - rtl->start;
+    return HS_NO_CYCLE;
+}
+
+static void measure_latency(work *w) {
+    w->view->latency.first_face = record_latency(w, HS_RECORD_FACE);
+    w->view->latency.trailer = record_latency(w, HS_RECORD_TRAILER);
+}
+
 static bool run_rtl(work *w, hs_error *err) {
     const hs_run_request *request = w->run->request;
     const uint64_t now = hs_rtl_cycle(w->run->rtl);
@@ -77,6 +92,7 @@ static bool run_rtl(work *w, hs_error *err) {
                            request->wave);
     }
     if (!good) hs_run_print_rerun(w->run, w->view->number, hs_rtl_cycle(w->run->rtl) - now);
+    measure_latency(w);
     return good;
 }
 

@@ -59,7 +59,7 @@ bool hs_rtl_trace(hs_rtl *rtl, const char *path, uint64_t first, uint64_t last, 
 bool hs_rtl_run(hs_rtl *rtl, const hs_packet *in, hs_stalls stalls, hs_packet *out,
                 hs_rtl_report *report, hs_error *err) {
     hs_golden_report golden;
-    *report = (hs_rtl_report){.cycles = 1000};
+    *report = (hs_rtl_report){.begin = 1000, .start = 1100, .cycles = 1000};
     defect.runs++;
     defect.stalls = stalls;
     if (!hs_golden_run(rtl->golden, in, out, &golden, err)) return false;
@@ -120,6 +120,21 @@ static void assert_said(const char *text) {
 
 /* --- Tests
  * ------------------------------------------------------------------------------------------ */
+
+/* Eight vertices in two groups come before the first of six faces. */
+static void latencies_count_from_the_first_beat_in(void **state) {
+    (void)state;
+    defect.view = UINT32_MAX;
+    char line[] = "run shape:cube --uniform 0 --json -", text[80];
+    assert_int_equal(run(line), HS_EXIT_OK);
+    const unsigned first_face = 4 + 2 * 20, trailer = first_face + 6 * 4;
+    snprintf(text, sizeof text, "\"first_face\": %d,", CYCLES_PER_WORD * (int)first_face - 100);
+    assert_said(text);
+    snprintf(text, sizeof text, "\"trailer\": %d,", CYCLES_PER_WORD * (int)trailer - 100);
+    assert_said(text);
+    snprintf(text, sizeof text, " %d ", CYCLES_PER_WORD * (int)first_face - 100); /* the table */
+    assert_said(text);
+}
 
 static void a_difference_names_view_place_word_and_both_values(void **state) {
     (void)state;
@@ -252,6 +267,7 @@ static void a_view_that_selects_nothing_costs_three_passes(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(latencies_count_from_the_first_beat_in),
         cmocka_unit_test(a_difference_names_view_place_word_and_both_values),
         cmocka_unit_test(the_printed_command_runs_just_that_view_again),
         cmocka_unit_test(a_packet_that_ends_early_differs_where_it_ends),
