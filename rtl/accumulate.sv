@@ -7,8 +7,8 @@
 //   * A vertex that no item of this generation touched before starts from nothing: its mark word's
 //     tag is not generation_i. Nothing is ever cleared.
 //   * sum_i: sums and counts are kept too; without it the sum memory is not touched.
-//   * Rate: an item a cycle, one cycle more for each conflict. Written two cycles after the bank's
-//     read; a vertex may be touched in every cycle: the word just written is forwarded.
+//   * Rate: as scatter's. Written in the cycle behind the bank's read; a vertex may be touched in
+//     every cycle: the word just written is forwarded.
 //   * touched_o: the vertex of the word that a bank gets now was touched before; with update_o.
 //   * full_o: a vertex got its 256th corner, the only lane of the item that was tagged full_item_o.
 //     Only for generation 0; its count stays void.

@@ -13,7 +13,7 @@
 //     "old" positions), or the middle of the edge, corners 0 and 2, if that is sharp or was on the
 //     boundary. point_valid_o gives it for one cycle, face by face, with the face's front and stop.
 //   * Vertices: marks always; T and the valence if odd_i; with limit_i rings always.
-//   * Rate: a quad, or in generation 0 a corner, a cycle, and a cycle more for each bank conflict.
+//   * Rate: a quad, or in generation 0 a corner, a cycle; less where bank conflicts fill a window.
 //   * valence_error_o: a vertex got its 256th corner, at corner valence_corner_o; the first counts.
 
 module classify #(

@@ -19,7 +19,6 @@ rtl/fp_mul.sv
 rtl/gather.sv
 rtl/guard.sv
 rtl/halfstep.sv
-rtl/lanes.sv
 rtl/marks.sv
 rtl/masks.sv
 rtl/pack.sv

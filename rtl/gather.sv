@@ -2,13 +2,21 @@
 //
 // Reads up to four words of a banked memory for each item that passes.
 //
+//   items --> window of 2^WINDOW_BITS items --> items with their words
+//               | each bank: the oldest        ^
+//               | request that wants it        | next cycle
+//               +------> banked memory --------+
+//
 //   * An item is taken in a cycle with in_valid_i and in_ready_o: its payload, a mask of the lanes
 //     that want a word, and their word numbers. Items leave in order, out_valid_o for one cycle,
 //     with the lanes' words; whoever takes them always takes them.
-//   * Rate: an item a cycle if its lanes' banks differ; else as many cycles as the busiest bank has
-//     lanes (conflict_o in each cycle beyond the first). Latency: 2 cycles from the one that took
-//     it, and 1 for each conflict.
-//   * stall_i: nothing is taken. At most 2 items still come out.
+//   * The requests of all items inside compete for the banks; in each cycle a bank serves the oldest
+//     one that wants it (in an item, that of the lowest lane). So an item whose banks are busy holds
+//     up nobody whose banks are not, until the window is full.
+//   * Rate: an item a cycle, as long as no bank is wanted more often than once a cycle over a
+//     window's length. Latency: 3 cycles from the one that took it, and 1 for each in which the last
+//     of its requests waited. conflict_o: a request waits.
+//   * stall_i: nothing is taken. At most the window's items still come out.
 //   * The memory answers one cycle after rd_en_o. Writing a word that an item inside is about to
 //     read is illegal but where the user shows which of the two words it gets.
 
@@ -19,7 +27,9 @@ module gather #(
     parameter int unsigned WIDTH = 128,
     // Rows of a bank and banks, as powers of two.
     parameter int unsigned ROW_BITS = 16,
-    parameter int unsigned BANK_BITS = 3
+    parameter int unsigned BANK_BITS = 3,
+    // Items inside, as a power of two.
+    parameter int unsigned WINDOW_BITS = 3
 ) (
     input logic clk_i,
     input logic rst_i,
@@ -47,91 +57,92 @@ module gather #(
 );
 
   localparam int unsigned IB = ROW_BITS + BANK_BITS;
+  localparam int unsigned BANKS = 1 << BANK_BITS;
+  localparam int unsigned WINDOW = 1 << WINDOW_BITS;
+  localparam int unsigned SB = WINDOW_BITS + 2;  // a slot's lane: {slot, lane}
 
-  // --- Issue: one read a bank and cycle --------------------------------------------------------
-  logic issue_valid_q;
-  logic [ITEM_WIDTH-1:0] issue_item_q;
-  logic [3:0] pending_q, grant;
-  logic [4*IB-1:0] index_q;
-  logic [4*BANK_BITS-1:0] bank;
-  logic issued;
+  // --- The window: a ring of slots, the oldest at head_q -----------------------------------------
+  logic [WINDOW_BITS-1:0] head_q, tail_q;
+  logic [WINDOW_BITS:0] count_q;
+  logic [ITEM_WIDTH-1:0] item_q[0:WINDOW-1];
+  logic [IB-1:0] index_q[0:4*WINDOW-1];
+  logic [WIDTH-1:0] word_q[0:4*WINDOW-1];
+  logic [4*WINDOW-1:0] pending_q, missing_q;  // requests: not yet sent, not yet answered
+  logic [4*WINDOW-1:0] sent, answered;
+  logic take;
 
-  for (genvar i = 0; i < 4; i++) begin : g_bank_of
-    assign bank[i*BANK_BITS+:BANK_BITS] = index_q[i*IB+:BANK_BITS];
-  end
+  assign in_ready_o = !count_q[WINDOW_BITS] && !stall_i;
+  assign take = in_valid_i && in_ready_o;
 
-  lanes #(
-      .BANK_BITS(BANK_BITS)
-  ) u_lanes (
-      .pending_i(pending_q),
-      .bank_i(bank),
-      .grant_o(grant)
-  );
-
-  assign issued = (pending_q & ~grant) == 4'd0;
-  assign conflict_o = issue_valid_q && !issued;
-  assign in_ready_o = (!issue_valid_q || issued) && !stall_i;
+  // --- Requests: a bank serves the oldest ---------------------------------------------------------
+  logic [SB-1:0] asks[0:BANKS-1];  // who
 
   always_comb begin
-    rd_en_o  = '0;
+    logic [SB-1:0] at;
+    logic [IB-1:0] index;
+    at = '0;
+    index = '0;
+    sent = '0;
+    rd_en_o = '0;
     rd_row_o = '0;
-    for (int i = 0; i < 4; i++)
-      if (issue_valid_q && grant[i]) begin
-        rd_en_o[bank[i*BANK_BITS+:BANK_BITS]] = 1'b1;
-        rd_row_o[32'(bank[i*BANK_BITS+:BANK_BITS])*ROW_BITS+:ROW_BITS] =
-            index_q[i*IB+BANK_BITS+:ROW_BITS];
-      end
+    for (int b = 0; b < BANKS; b++) asks[b] = '0;
+    if (pending_q != '0)
+      for (int a = 0; a < WINDOW; a++)
+        for (int i = 0; i < 4; i++) begin
+          at = {head_q + WINDOW_BITS'(a), 2'(i)};
+          index = index_q[at];
+          if (pending_q[at] && !rd_en_o[index[BANK_BITS-1:0]]) begin
+            sent[at] = 1'b1;
+            rd_en_o[index[BANK_BITS-1:0]] = 1'b1;
+            rd_row_o[32'(index[BANK_BITS-1:0])*ROW_BITS+:ROW_BITS] = index[IB-1:BANK_BITS];
+            asks[index[BANK_BITS-1:0]] = at;
+          end
+        end
+  end
+  assign conflict_o = (pending_q & ~sent) != '0;
+
+  // --- Answers ------------------------------------------------------------------------------------
+  logic [BANKS-1:0] answers_q;
+  logic [SB-1:0] asked_q[0:BANKS-1];
+
+  always_comb begin
+    answered = '0;
+    for (int b = 0; b < BANKS; b++) if (answers_q[b]) answered[asked_q[b]] = 1'b1;
   end
 
   always_ff @(posedge clk_i) begin
-    if (in_valid_i && in_ready_o) begin
-      issue_valid_q <= 1'b1;
-      issue_item_q <= in_item_i;
-      pending_q <= in_mask_i;
-      index_q <= in_index_i;
-    end else begin
-      pending_q <= pending_q & ~grant;
-      if (issued) issue_valid_q <= 1'b0;
+    answers_q <= rd_en_o;
+    for (int b = 0; b < BANKS; b++) begin
+      if (rd_en_o[b]) asked_q[b] <= asks[b];
+      if (answers_q[b]) word_q[asked_q[b]] <= rd_data_i[b*WIDTH+:WIDTH];
     end
+    pending_q <= pending_q & ~sent;
+    missing_q <= missing_q & ~answered;
+    if (take) begin
+      item_q[tail_q] <= in_item_i;
+      for (int i = 0; i < 4; i++) index_q[{tail_q, 2'(i)}] <= in_index_i[i*IB+:IB];
+      pending_q[{tail_q, 2'b00}+:4] <= in_mask_i;
+      missing_q[{tail_q, 2'b00}+:4] <= in_mask_i;
+      tail_q <= tail_q + 1'b1;
+    end
+    if (out_valid_o) head_q <= head_q + 1'b1;
+    count_q <= count_q + (WINDOW_BITS + 1)'(take) - (WINDOW_BITS + 1)'(out_valid_o);
     if (rst_i) begin
-      issue_valid_q <= 1'b0;
-      pending_q <= 4'd0;
+      answers_q <= '0;
+      pending_q <= '0;
+      missing_q <= '0;
+      head_q <= '0;
+      tail_q <= '0;
+      count_q <= '0;
     end
   end
 
-  // --- Collect: the words of a cycle's reads, kept until the item's last have come ---------------
-  logic collect_valid_q, collect_last_q;
-  logic [ITEM_WIDTH-1:0] collect_item_q;
-  logic [3:0] arrives_q;
-  logic [4*BANK_BITS-1:0] arrives_bank_q;
-  logic [4*WIDTH-1:0] kept_q;
-
-  always_ff @(posedge clk_i) begin
-    collect_valid_q <= issue_valid_q;
-    collect_last_q  <= issue_valid_q && issued;
-    if (issue_valid_q) begin
-      collect_item_q <= issue_item_q;
-      arrives_q <= grant;
-      arrives_bank_q <= bank;
-    end
-    if (collect_valid_q && !collect_last_q)
-      for (int i = 0; i < 4; i++)
-        if (arrives_q[i])
-          kept_q[i*WIDTH+:WIDTH] <=
-              rd_data_i[32'(arrives_bank_q[i*BANK_BITS+:BANK_BITS])*WIDTH+:WIDTH];
-    if (rst_i) begin
-      collect_valid_q <= 1'b0;
-      collect_last_q  <= 1'b0;
-    end
-  end
-
-  assign out_valid_o = collect_last_q;
-  assign out_item_o  = collect_item_q;
+  // --- The oldest leaves when nothing is missing ---------------------------------------------------
+  assign active_o = count_q != '0;
+  assign out_valid_o = active_o && missing_q[{head_q, 2'b00}+:4] == 4'd0;
+  assign out_item_o = item_q[head_q];
   for (genvar i = 0; i < 4; i++) begin : g_word
-    assign out_data_o[i*WIDTH+:WIDTH] = arrives_q[i] ?
-        rd_data_i[32'(arrives_bank_q[i*BANK_BITS+:BANK_BITS])*WIDTH+:WIDTH] :
-        kept_q[i*WIDTH+:WIDTH];
+    assign out_data_o[i*WIDTH+:WIDTH] = word_q[{head_q, 2'(i)}];
   end
-  assign active_o = issue_valid_q || collect_valid_q;
 
 endmodule

@@ -15,7 +15,7 @@
 //   * refined_o and sides_o count the refined faces and their sides: a boundary side twice in an odd
 //     step, which makes a half-quad of it, and not at all in an even one.
 //   * A new vertex on a sharp edge (new_sharpness_o) is on a crease as long as the edge was sharp.
-//   * Rate: a quad, or in generation 0 a corner, a cycle, and a cycle more for each bank conflict.
+//   * Rate: a quad, or in generation 0 a corner, a cycle; less where bank conflicts fill a window.
 
 module guard #(
     parameter int unsigned VW = 19,  // width of a vertex number

@@ -183,7 +183,7 @@ package hs_pkg;
   localparam logic [11:0] REG_CYCLES = 12'h028;
   // cycles since reset, high 32 bits
   localparam logic [11:0] REG_CYCLES_HIGH = 12'h02c;
-  // cycles in which an item waited for a memory bank
+  // cycles in which a request waited for a memory bank
   localparam logic [11:0] REG_CONFLICTS = 12'h030;
   // counters, 32 bytes a stage: busy, starved, blocked, idle, in, out
   localparam logic [11:0] REG_STAGES = 12'h100;

@@ -4,17 +4,22 @@
 //
 //   * An item is taken in a cycle with in_valid_i and in_ready_o: a mask of the lanes that send a
 //     word, their word numbers, and the words. The banks see it from the next cycle on: en_o, row_o
-//     and data_o, a word a bank and cycle, lanes of the same bank in ascending order.
-//   * Rate: an item a cycle if its lanes' banks differ; else as many cycles as the busiest bank has
-//     lanes (conflict_o in each cycle beyond the first).
-//   * active_o: an item is inside.
+//     and data_o, a word a bank and cycle.
+//   * The words of up to 2^WINDOW_BITS items compete for the banks; in each cycle a bank gets the
+//     oldest one that wants it (of an item, that of the lowest lane). So words of one bank keep
+//     their order, and an item whose banks are busy holds up nobody whose banks are not, until the
+//     window is full.
+//   * Rate: an item a cycle, as long as no bank is wanted more often than once a cycle over a
+//     window's length. conflict_o: a word waits. active_o: a word is inside.
 
 module scatter #(
     // Bits of a word.
     parameter int unsigned WIDTH = 8,
     // Rows of a bank and banks, as powers of two.
     parameter int unsigned ROW_BITS = 16,
-    parameter int unsigned BANK_BITS = 3
+    parameter int unsigned BANK_BITS = 3,
+    // Items inside, as a power of two.
+    parameter int unsigned WINDOW_BITS = 2
 ) (
     input logic clk_i,
     input logic rst_i,
@@ -36,57 +41,59 @@ module scatter #(
 );
 
   localparam int unsigned IB = ROW_BITS + BANK_BITS;
+  localparam int unsigned WINDOW = 1 << WINDOW_BITS;
+  localparam int unsigned SB = WINDOW_BITS + 2;  // a slot's lane: {slot, lane}
 
-  logic valid_q, issued;
-  logic [3:0] pending_q, grant;
-  logic [4*IB-1:0] index_q;
-  logic [4*WIDTH-1:0] word_q;
-  logic [4*BANK_BITS-1:0] bank;
+  // The window is a ring of slots. Items enter at tail_q, where the oldest one was: it may enter as
+  // soon as that one has nothing left to send.
+  logic [WINDOW_BITS-1:0] tail_q;
+  logic [IB-1:0] index_q[0:4*WINDOW-1];
+  logic [WIDTH-1:0] word_q[0:4*WINDOW-1];
+  logic [4*WINDOW-1:0] pending_q, sent;
+  logic take;
 
-  for (genvar i = 0; i < 4; i++) begin : g_bank_of
-    assign bank[i*BANK_BITS+:BANK_BITS] = index_q[i*IB+:BANK_BITS];
-  end
-
-  lanes #(
-      .BANK_BITS(BANK_BITS)
-  ) u_lanes (
-      .pending_i(pending_q),
-      .bank_i(bank),
-      .grant_o(grant)
-  );
-
-  assign issued = (pending_q & ~grant) == 4'd0;
-  assign conflict_o = valid_q && !issued;
-  assign in_ready_o = !valid_q || issued;
-  assign active_o = valid_q;
-
-  always_ff @(posedge clk_i) begin
-    if (in_valid_i && in_ready_o) begin
-      valid_q <= 1'b1;
-      pending_q <= in_mask_i;
-      index_q <= in_index_i;
-      word_q <= in_data_i;
-    end else begin
-      pending_q <= pending_q & ~grant;
-      if (issued) valid_q <= 1'b0;
-    end
-    if (rst_i) begin
-      valid_q   <= 1'b0;
-      pending_q <= 4'd0;
-    end
-  end
+  assign in_ready_o = (pending_q[{tail_q, 2'b00}+:4] & ~sent[{tail_q, 2'b00}+:4]) == 4'd0;
+  assign take = in_valid_i && in_ready_o;
+  assign active_o = pending_q != '0;
+  assign conflict_o = (pending_q & ~sent) != '0;
 
   always_comb begin
-    en_o   = '0;
-    row_o  = '0;
+    logic [SB-1:0] at;
+    logic [IB-1:0] index;
+    at = '0;
+    index = '0;
+    sent = '0;
+    en_o = '0;
+    row_o = '0;
     data_o = '0;
-    for (int i = 0; i < 4; i++)
-      if (grant[i]) begin
-        en_o[bank[i*BANK_BITS+:BANK_BITS]] = 1'b1;
-        row_o[32'(bank[i*BANK_BITS+:BANK_BITS])*ROW_BITS+:ROW_BITS] =
-            index_q[i*IB+BANK_BITS+:ROW_BITS];
-        data_o[32'(bank[i*BANK_BITS+:BANK_BITS])*WIDTH+:WIDTH] = word_q[i*WIDTH+:WIDTH];
+    if (pending_q != '0)
+      for (int a = 0; a < WINDOW; a++)
+        for (int i = 0; i < 4; i++) begin
+          at = {tail_q + WINDOW_BITS'(a), 2'(i)};
+          index = index_q[at];
+          if (pending_q[at] && !en_o[index[BANK_BITS-1:0]]) begin
+            sent[at] = 1'b1;
+            en_o[index[BANK_BITS-1:0]] = 1'b1;
+            row_o[32'(index[BANK_BITS-1:0])*ROW_BITS+:ROW_BITS] = index[IB-1:BANK_BITS];
+            data_o[32'(index[BANK_BITS-1:0])*WIDTH+:WIDTH] = word_q[at];
+          end
+        end
+  end
+
+  always_ff @(posedge clk_i) begin
+    pending_q <= pending_q & ~sent;
+    if (take) begin
+      for (int i = 0; i < 4; i++) begin
+        index_q[{tail_q, 2'(i)}] <= in_index_i[i*IB+:IB];
+        word_q[{tail_q, 2'(i)}] <= in_data_i[i*WIDTH+:WIDTH];
       end
+      pending_q[{tail_q, 2'b00}+:4] <= in_mask_i;
+      tail_q <= tail_q + 1'b1;
+    end
+    if (rst_i) begin
+      pending_q <= '0;
+      tail_q <= '0;
+    end
   end
 
 endmodule

@@ -10,7 +10,7 @@
 //     settings hold until active_o falls.
 //   * Each face's verdict goes to the face memory (selected_valid_o); the vertices of selected faces
 //     are set in the chosen memory. selected_o counts the selected faces.
-//   * Rate: a quad, or in generation 0 a corner, a cycle, and a cycle more for each bank conflict.
+//   * Rate: a quad, or in generation 0 a corner, a cycle; less where bank conflicts fill a window.
 
 module select #(
     parameter int unsigned VW = 19,  // width of a vertex number

@@ -62,7 +62,7 @@ $(BUILD)/test_rtl_shim: $(BUILD)/tests/test_rtl_shim.o $(BUILD)/tests/broken_rtl
 
 # --- Single modules -------------------------------------------------------------------------------
 # tests/test_NAME.c drives tests/NAME_top.sv through tests/NAME_shim.cpp, with the class VNAME.
-UNITS := check_twins classify divide emit fifo geometry registers select sharpness
+UNITS := check_twins classify divide emit fifo geometry registers select sharpness window
 
 $(UNITS:%=$(BUILD)/verilated/%/log): $(BUILD)/verilated/%/log: tests/%_top.sv $(wildcard rtl/*.sv)
 	@mkdir -p $(@D)
