@@ -19,7 +19,7 @@ module scatter #(
     parameter int unsigned ROW_BITS = 16,
     parameter int unsigned BANK_BITS = 3,
     // Items inside, as a power of two.
-    parameter int unsigned WINDOW_BITS = 2
+    parameter int unsigned WINDOW_BITS = 3
 ) (
     input logic clk_i,
     input logic rst_i,

@@ -24,8 +24,8 @@
 //     settings hold until active_o falls. children_o: quads of the next generation so far.
 //   * all_i: every face is refined, and the verdict memory is not used: face q's new vertex is
 //     first_new_i + q. finish_i: none is refined.
-//   * Rate: a quad, or in generation 0 a corner, a cycle, and a cycle more for each face that sends
-//     its own new vertex; less where bank conflicts fill a window.
+//   * Rate: a quad, or in generation 0 a corner, a cycle; less where bank conflicts fill a window, or
+//     emit is behind.
 
 module split #(
     parameter int unsigned VW = 19,  // width of a vertex number

@@ -12,27 +12,28 @@
 //   * In the last step a boundary edge leaves its half-quad (w, F, v) as a triangle; a half-quad that
 //     is not refined is a triangle too.
 //   * An item is at most one VERTEX op and one FACES or CORNER op, in this order. A FACES op has a
-//     slot for each edge.
+//     slot for each edge. Items wait in a FIFO for emit, so that one with two ops holds up nobody as
+//     long as others have none.
 //   * The new vertex is sent before its face's first triangle, but in the last step, when smooth
 //     sent it. In generation 0 (quads_i low) an item is a corner, and of its edges only edge 0
 //     counts: the n-gon sends its vertex once.
-//   * An item is there while valid_i and leaves with done_i, which needs over_o: what it has to
-//     send has been taken, or is in this cycle. The item may not change before done_i. sent_o:
-//     with done_i, its new vertex was sent here.
+//   * An item is there with done_i, which needs over_o: there is room for what it has to send.
+//     sent_o: with done_i, its new vertex is sent here. active_o: something is not yet sent.
 
 module split_faces #(
     parameter int unsigned VW = 19  // width of a vertex number
 ) (
     input logic clk_i,
+    input logic rst_i,
 
     input logic quads_i,
     input logic last_step_i,
 
     // the item
-    input  logic            valid_i,
     input  logic            done_i,
     output logic            over_o,
     output logic            sent_o,
+    output logic            active_o,
     input  logic            first_i,            // of its face
     input  logic            last_i,
     input  logic [     7:0] sides_i,
@@ -77,41 +78,29 @@ module split_faces #(
   assign vertex_needed = kept != 4'b0000 && !last_step_i && (first_i || !vertex_sent_q);
   assign face_needed = !refined_i || (kept | leaving) != 4'b0000;
 
-  // --- One op after the other --------------------------------------------------------------------
-  logic vertex_done_q, face_done_q, vertex_now, vertex_over, face_over;
-
-  assign vertex_now = vertex_needed && !vertex_done_q;
-  assign vertex_over = !vertex_needed || vertex_done_q || (op_ready_i && vertex_now);
-  assign face_over = !face_needed || face_done_q || (op_ready_i && !vertex_now);
-  assign over_o = vertex_over && face_over;
-  assign sent_o = done_i && vertex_needed;
-
   always_ff @(posedge clk_i) begin
-    if (done_i || !valid_i) begin
-      vertex_done_q <= 1'b0;
-      face_done_q   <= 1'b0;
-    end else begin
-      vertex_done_q <= vertex_over;
-      face_done_q   <= face_over;
-    end
     if (done_i) vertex_sent_q <= !last_i && (vertex_needed || (!first_i && vertex_sent_q));
   end
+  assign sent_o = done_i && vertex_needed;
 
-  // --- The op ------------------------------------------------------------------------------------
-  assign op_valid_o = valid_i && (vertex_now || (face_needed && !face_done_q));
-  assign op_kind_o = vertex_now ? 3'(hs_pkg::OP_VERTEX) :
-      refined_i || quads_i ? 3'(hs_pkg::OP_FACES) : 3'(hs_pkg::OP_CORNER);
-  assign op_number_o = refined_i ? 24'(number_i) : 24'(origin_i[0+:VW]);
-  assign op_position_o = point_i;
-  assign op_mask_o = refined_i ? kept | leaving : 4'b0001;
-  assign op_triangle_o = refined_i ? kept | (leaving & boundary_i) : {3'b000, half_i};
-  assign op_child_o = leaving;
-  assign op_candidate_o =
-      refined_i ? leaving & (beyond_selected_i | boundary_i) & {4{selected_i}}
-                : {3'b000, candidate_i};
-  assign op_sides_o = sides_i;
-  assign op_first_o = first_i;
-  assign op_last_o = last_i;
+  // --- The ops of an item --------------------------------------------------------------------------
+  // {vertex, face, kind, number, position, mask, triangle, child, candidate, vertices, sides, first,
+  // last}
+  localparam int unsigned OPS = 1 + 1 + 3 + 24 + 128 + 4 * 4 + 384 + 8 + 1 + 1;
+
+  logic [OPS-1:0] ops;
+  logic [2:0] kind;
+  logic [23:0] number;
+  logic [3:0] mask, triangle, candidate;
+  logic [383:0] vertices;
+  logic room;
+
+  assign kind = refined_i || quads_i ? 3'(hs_pkg::OP_FACES) : 3'(hs_pkg::OP_CORNER);
+  assign number = refined_i ? 24'(number_i) : 24'(origin_i[0+:VW]);
+  assign mask = refined_i ? kept | leaving : 4'b0001;
+  assign triangle = refined_i ? kept | (leaving & boundary_i) : {3'b000, half_i};
+  assign candidate = refined_i ? leaving & (beyond_selected_i | boundary_i) & {4{selected_i}}
+                               : {3'b000, candidate_i};
 
   always_comb begin
     for (int i = 0; i < 4; i++) begin
@@ -120,10 +109,43 @@ module split_faces #(
       w = 24'(next_origin_i[i*VW+:VW]);
       f = 24'(number_i);
       g = 24'(beyond_number_i[i*VW+:VW]);
-      op_vertex_o[i*96+:96] = kept[i] ? {24'd0, f, w, v} : {g, v, f, w};
+      vertices[i*96+:96] = kept[i] ? {24'd0, f, w, v} : {g, v, f, w};
     end
     if (!refined_i)
-      for (int k = 0; k < 4; k++) op_vertex_o[k*24+:24] = 24'(origin_i[k*VW+:VW]);
+      for (int k = 0; k < 4; k++) vertices[k*24+:24] = 24'(origin_i[k*VW+:VW]);
+  end
+
+  assign ops = {vertex_needed, face_needed, kind, number, point_i, mask, triangle, leaving, candidate,
+                vertices, sides_i, first_i, last_i};
+  assign over_o = room || !(vertex_needed || face_needed);
+
+  // --- One op after the other ----------------------------------------------------------------------
+  logic has_vertex, has_face, vertex_done_q, vertex_now, take;
+  logic [2:0] face_kind;
+
+  /* verilator lint_off PINCONNECTEMPTY */
+  fifo #(
+      .WIDTH(OPS),
+      .DEPTH(16)
+  ) u_ops (
+      .clk_i, .rst_i, .in_valid_i(done_i && (vertex_needed || face_needed)), .in_ready_o(room),
+      .in_data_i(ops), .out_valid_o(op_valid_o), .out_ready_i(take),
+      .out_data_o({
+        has_vertex, has_face, face_kind, op_number_o, op_position_o, op_mask_o, op_triangle_o,
+        op_child_o, op_candidate_o, op_vertex_o, op_sides_o, op_first_o, op_last_o
+      }),
+      .level_o()
+  );
+  /* verilator lint_on PINCONNECTEMPTY */
+
+  assign vertex_now = has_vertex && !vertex_done_q;
+  assign op_kind_o = vertex_now ? 3'(hs_pkg::OP_VERTEX) : face_kind;
+  assign take = op_ready_i && !(vertex_now && has_face);
+  assign active_o = op_valid_o;
+
+  always_ff @(posedge clk_i) begin
+    if (op_valid_o && op_ready_i) vertex_done_q <= vertex_now && has_face;
+    if (rst_i) vertex_done_q <= 1'b0;
   end
 
 endmodule

@@ -279,13 +279,13 @@ module split_write #(
   assign conflict_o = lower_conflict || upper_conflict;
 
   // --- Final faces -------------------------------------------------------------------------------
-  logic faces_over;
+  logic faces_over, faces_active;
 
   split_faces #(
       .VW(VW)
   ) u_faces (
-      .clk_i, .quads_i, .last_step_i, .valid_i(valid_q && known), .done_i(done),
-      .over_o(faces_over), .sent_o, .first_i(first_q), .last_i(last_q), .sides_i(sides_q),
+      .clk_i, .rst_i, .quads_i, .last_step_i, .done_i(done), .over_o(faces_over), .sent_o,
+      .active_o(faces_active), .first_i(first_q), .last_i(last_q), .sides_i(sides_q),
       .candidate_i(candidate), .refined_i(refined), .selected_i(selected), .number_i(number),
       .lanes_i(lanes), .boundary_i(boundary), .half_i(half), .point_i(point),
       .origin_i(origin), .next_origin_i(next_origin), .replaced_i(replaced),
@@ -318,6 +318,6 @@ module split_write #(
     end
   end
 
-  assign active_o = fold_active || valid_q || lower_active || upper_active;
+  assign active_o = fold_active || valid_q || lower_active || upper_active || faces_active;
 
 endmodule

@@ -12,7 +12,7 @@
 extern "C" {
 #endif
 
-enum { WINDOW_WORDS = 64, WINDOW_BANKS = 8, GATHER_WINDOW = 8, SCATTER_WINDOW = 4 };
+enum { WINDOW_WORDS = 64, WINDOW_BANKS = 8, GATHER_WINDOW = 8 };
 
 /* An item on offer: lanes in use, the word of each, what is written there. */
 typedef struct window_item {
