@@ -12,6 +12,8 @@
 //     of faces, the header and the trailer are made here.
 //   * Vertices that follow each other are grouped by four. An op of another kind ends a group, and
 //     so does another generation. A vertex may therefore wait for the op behind it.
+//   * GROUP is four vertices that make a whole group of the stream, at their level. Its five records
+//     are one more than fit a cycle, so every fifth cycle is a group's carry alone.
 //   * FACES with an empty mask is taken and leaves no trace. Faces leave in the order of slots.
 //   * OP_HEADER begins a packet and clears the counts; OP_TRAILER sends the trailer and the END
 //     record and closes the packet. op_generation_i of the trailer is the last generation.
@@ -37,6 +39,8 @@ module emit #(
     input  logic [  7:0] op_generation_i,
     input  logic [ 23:0] op_number_i,      // VERTEX, CORNER: the vertex
     input  logic [127:0] op_position_i,    // VERTEX: x, y, z, w from bit 0 up, S1.30
+    input  logic [383:0] op_group_i,       // GROUP: positions of vertices 1 to 3; their numbers are
+                                           // in op_vertex_i, 24 bits each
     input  logic         op_at_level_i,    // VERTEX: leaves where its level has it, not at the limit
     input  logic [  3:0] op_mask_i,        // FACES: slots in use
     input  logic [  3:0] op_triangle_i,    // FACES: the slot has 3 sides, not 4
@@ -75,6 +79,7 @@ module emit #(
   localparam logic [2:0] FACES = 3'(hs_pkg::OP_FACES);
   localparam logic [2:0] CORNER = 3'(hs_pkg::OP_CORNER);
   localparam logic [2:0] TRAILER = 3'(hs_pkg::OP_TRAILER);
+  localparam logic [2:0] GROUP = 3'(hs_pkg::OP_GROUP);
   localparam logic [8:0] TAG = 9'(hs_pkg::TAG);
 
   // An op without its position, in one word:
@@ -84,8 +89,8 @@ module emit #(
   // --- The op that comes next, as it was given ---------------------------------------------------
   logic next_valid_q, next_taken;
   logic [OP_BITS-1:0] next_q;
-  logic [127:0] next_position_q;
-  logic [127:0] next_float;  // as binary32
+  logic [511:0] next_position_q;
+  logic [511:0] next_float;  // as binary32
   logic [2:0] next_kind;
   logic [7:0] next_generation;
   logic [23:0] next_number;
@@ -99,7 +104,7 @@ module emit #(
     if (op_ready_o && op_valid_i) begin
       next_q <= {op_at_level_i, op_vertex_i, op_mask_i, op_triangle_i, op_child_i, op_candidate_i,
                  op_sides_i, op_first_i, op_last_i, op_number_i, op_generation_i, op_kind_i};
-      next_position_q <= op_position_i;
+      next_position_q <= {op_kind_i == GROUP ? op_group_i : 384'd0, op_position_i};
     end
     if (rst_i) next_valid_q <= 1'b0;
   end
@@ -110,7 +115,7 @@ module emit #(
 
   genvar c;
   generate
-    for (c = 0; c < 4; c = c + 1) begin : gen_component
+    for (c = 0; c < 16; c = c + 1) begin : gen_component
       to_float convert (
           .q_i(next_position_q[32*c+:32]), .exponent_i, .c_o(next_float[32*c+:32])
       );
@@ -120,7 +125,7 @@ module emit #(
   // --- The op whose records are made now ---------------------------------------------------------
   logic valid_q, go;
   logic [OP_BITS-1:0] this_q;
-  logic [127:0] float_q;
+  logic [511:0] float_q;
   logic [2:0] kind;
   logic [7:0] generation, sides;
   logic [23:0] number;
@@ -153,7 +158,7 @@ module emit #(
 
   vertex_records u_vertices (
       .clk_i, .rst_i, .take_i(go_vertex), .generation_i(generation), .number_i(number),
-      .position_i(float_q), .next_valid_i(next_valid_q),
+      .position_i(float_q[127:0]), .next_valid_i(next_valid_q),
       .next_joins_i(next_kind == VERTEX && next_generation == generation),
       .next_number_i(next_number), .waits_o(vertex_waits), .count_o(vertex_count),
       .records_o(vertex_records)
@@ -166,6 +171,40 @@ module emit #(
       .count_o(face_count), .records_o(face_records), .faces_o(complete),
       .triangles_o(complete_triangles)
   );
+
+  // --- A group's five records: what has no room in this cycle's four is carried over ---------------
+  logic free;
+  logic [511:0] carry_q;  // its lowest carry_count_q records
+  logic [2:0] carry_count_q;
+  logic [1151:0] window;  // what is carried, and a group behind it
+  logic [639:0] group_records;
+  logic carry_first;  // what is carried goes before this op
+
+  assign group_records = {
+    float_q, vertex[71:0], number,
+    TAG, hs_pkg::RECORD_VERTICES, 1'b0, 3'd4, 8'd0, generation
+  };
+  assign carry_first = carry_count_q == 3'd4 || (carry_count_q != 3'd0 && kind != GROUP);
+
+  always_comb begin
+    unique case (carry_count_q)
+      3'd0: window = {512'd0, group_records};
+      3'd1: window = {384'd0, group_records, carry_q[127:0]};
+      3'd2: window = {256'd0, group_records, carry_q[255:0]};
+      3'd3: window = {128'd0, group_records, carry_q[383:0]};
+      default: window = {640'd0, carry_q};
+    endcase
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (go && kind == GROUP) begin
+      carry_q <= 512'(window >> 512);
+      carry_count_q <= carry_count_q + 3'd1;
+    end else if (valid_q && free && carry_first) begin
+      carry_count_q <= 3'd0;
+    end
+    if (rst_i) carry_count_q <= 3'd0;
+  end
 
   // --- The records of this op --------------------------------------------------------------------
   logic [31:0] vertices_q, at_level_q, faces_q, triangles_q;  // sent in this packet
@@ -190,6 +229,10 @@ module emit #(
         records = face_records;
         count   = face_count;
       end
+      GROUP: begin
+        records = window[511:0];
+        count   = 3'd4;
+      end
       default: begin  // TRAILER; pack puts the CRC into END's last word
         records[255:0] = {
           32'd0, at_level_q, triangles_q, TAG, hs_pkg::RECORD_END, 12'd0, generation,
@@ -198,10 +241,13 @@ module emit #(
         count = 3'd2;
       end
     endcase
+    if (carry_first) begin
+      records = carry_q;
+      count   = carry_count_q;
+    end
   end
 
-  logic free;
-  assign go = valid_q && free && !(kind == VERTEX && vertex_waits);
+  assign go = valid_q && free && !carry_first && !(kind == VERTEX && vertex_waits);
 
   always_ff @(posedge clk_i) begin
     if (go && kind == HEADER) begin
@@ -214,6 +260,7 @@ module emit #(
       vertices_q <= vertices_q + 32'd1;
       at_level_q <= at_level_q + {31'd0, at_level};
     end
+    if (go && kind == GROUP) vertices_q <= vertices_q + 32'd4;
     if (go_face) begin
       faces_q     <= faces_q + {29'd0, complete};
       triangles_q <= triangles_q + {29'd0, complete_triangles};
@@ -228,11 +275,11 @@ module emit #(
   assign free = !records_valid_q || pack_ready;
 
   always_ff @(posedge clk_i) begin
-    if (free) records_valid_q <= go && count != 3'd0;
-    if (go) begin
+    if (free) records_valid_q <= (go || (valid_q && carry_first)) && count != 3'd0;
+    if (free && valid_q) begin
       records_q <= records;
       count_q <= count;
-      records_last_q <= kind == TRAILER;
+      records_last_q <= kind == TRAILER && !carry_first;
     end
     if (rst_i) records_valid_q <= 1'b0;
   end
@@ -264,6 +311,7 @@ module emit #(
   always_comb begin
     items_in_o = 3'd0;
     if (taken && op_kind_i == VERTEX) items_in_o = 3'd1;
+    if (taken && op_kind_i == GROUP) items_in_o = 3'd4;
     if (taken && op_kind_i == CORNER) items_in_o = {2'd0, op_last_i};
     if (taken && op_kind_i == FACES)
       items_in_o = {2'd0, op_mask_i[0]} + {2'd0, op_mask_i[1]} + {2'd0, op_mask_i[2]}
@@ -290,12 +338,12 @@ module emit #(
   op_stays :
   assert property (@(posedge clk_i) disable iff (rst_i)
       op_valid_i && !op_ready_o |=> op_valid_i && $stable(
-      {op_kind_i, op_generation_i, op_number_i, op_position_i, op_at_level_i, op_mask_i,
+      {op_kind_i, op_generation_i, op_number_i, op_position_i, op_group_i, op_at_level_i, op_mask_i,
        op_triangle_i, op_child_i, op_candidate_i, op_vertex_i, op_sides_i, op_first_i, op_last_i}))
   else $error("emit: an op was withdrawn before it was taken");
   op_is_known :
   assert property (@(posedge clk_i) disable iff (rst_i)
-      op_valid_i |-> op_kind_i <= TRAILER && (op_kind_i == HEADER || working_q))
+      op_valid_i |-> op_kind_i <= GROUP && (op_kind_i == HEADER || working_q))
   else $error("emit: an op that does not exist, or outside of a packet");
 `endif
 

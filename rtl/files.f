@@ -33,6 +33,7 @@ rtl/registers.sv
 rtl/ring.sv
 rtl/scatter.sv
 rtl/select.sv
+rtl/send_groups.sv
 rtl/sequencer.sv
 rtl/sharpness.sv
 rtl/short_edges.sv

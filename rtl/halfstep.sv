@@ -207,6 +207,10 @@ module halfstep #(
   logic [QW:0] selected_count, refined_count, children;
   logic [QW+2:0] refined_sides;
   logic [VW-1:0] send_vertex;
+  logic group_valid, group_ready;
+  logic [4*VW-1:0] group_vertex;
+  logic [511:0] group_position;
+  logic [383:0] op_vertex;
   logic [127:0] send_position, split_op_position;
   logic [2:0] split_kind;
   logic [23:0] split_number;
@@ -241,6 +245,8 @@ module halfstep #(
       .corner_valid_i(corner_valid), .corner_index_i(corner_index), .corner_origin_i(corner_origin),
       .corner_twin_i(corner_twin), .corner_border_i(corner_border), .corner_forced_i(corner_forced),
       .corner_first_i(corner_first), .corner_last_i(corner_last), .send_valid_o(send_valid),
+      .group_valid_o(group_valid), .group_ready_i(group_ready), .group_vertex_o(group_vertex),
+      .group_position_o(group_position),
       .send_ready_i(send_ready), .send_vertex_o(send_vertex), .send_position_o(send_position),
       .split_op_o(split_op), .split_ready_i(split_ready), .split_kind_o(split_kind),
       .split_number_o(split_number), .split_op_position_o(split_op_position),
@@ -257,22 +263,30 @@ module halfstep #(
   logic [7:0] control_generation;
   logic [2:0] op_kind;
 
-  assign op_valid = control_op || send_valid || split_op;
+  assign op_valid = control_op || group_valid || send_valid || split_op;
   assign op_kind = control_op ? (control_trailer ? 3'(hs_pkg::OP_TRAILER) : 3'(hs_pkg::OP_HEADER)) :
-      send_valid ? 3'(hs_pkg::OP_VERTEX) : split_kind;
-  assign send_ready = op_ready && !control_op;
-  assign split_ready = op_ready && !control_op && !send_valid;
+      group_valid ? 3'(hs_pkg::OP_GROUP) : send_valid ? 3'(hs_pkg::OP_VERTEX) : split_kind;
+  assign group_ready = op_ready && !control_op;
+  assign send_ready = op_ready && !control_op && !group_valid;
+  assign split_ready = op_ready && !control_op && !group_valid && !send_valid;
+
+  always_comb begin
+    op_vertex = split_op_vertex;
+    if (group_valid)
+      for (int i = 1; i < 4; i++) op_vertex[24*(i-1)+:24] = 24'(group_vertex[i*VW+:VW]);
+  end
 
   emit #(
       .PORT_RECORDS(PORT_RECORDS)
   ) u_emit (
       .clk_i, .rst_i, .op_valid_i(op_valid), .op_ready_o(op_ready), .op_kind_i(op_kind),
       .op_generation_i(control_op ? control_generation : generation),
-      .op_number_i(send_valid ? 24'(send_vertex) : split_number),
-      .op_position_i(send_valid ? send_position : split_op_position),
-      .op_at_level_i(send_valid ? send_at_level : limit), .op_mask_i(split_mask),
+      .op_number_i(group_valid ? 24'(group_vertex[VW-1:0]) : send_valid ? 24'(send_vertex) : split_number),
+      .op_position_i(group_valid ? group_position[127:0] : send_valid ? send_position : split_op_position),
+      .op_group_i(group_position[511:128]),
+      .op_at_level_i(send_valid ? send_at_level : limit && !group_valid), .op_mask_i(split_mask),
       .op_triangle_i(split_triangle), .op_child_i(split_child), .op_candidate_i(split_candidate),
-      .op_vertex_i(split_op_vertex), .op_sides_i(split_sides), .op_first_i(split_first),
+      .op_vertex_i(op_vertex), .op_sides_i(split_sides), .op_first_i(split_first),
       .op_last_i(split_last), .view_i(view), .exponent_i(refused ? 10'sd0 : exponent),
       .status_i(status), .position_i(position), .done_o(emit_done), .m_axis_tvalid, .m_axis_tready,
       .m_axis_tdata, .m_axis_tkeep, .m_axis_tlast, .m_axis_tid, .busy_o(busy[hs_pkg::STAGE_emit]),

@@ -61,6 +61,8 @@ package hs_pkg;
   localparam logic [31:0] OP_CORNER = 32'd3;
   // end the packet: trailer and end records
   localparam logic [31:0] OP_TRAILER = 32'd4;
+  // four vertices' numbers and positions, a whole group
+  localparam logic [31:0] OP_GROUP = 32'd5;
   // the identity register: the bytes tSfh
   localparam logic [31:0] IDENTITY = 32'h68665374;
 

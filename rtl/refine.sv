@@ -71,7 +71,11 @@ module refine #(
     input  logic [7:0] corner_forced_i,
     input  logic corner_first_i, corner_last_i,
 
-    // vertices to emit, from smooth
+    // vertices to emit, from smooth, four at a time or singly
+    output logic group_valid_o,
+    input  logic group_ready_i,
+    output logic [4*VW-1:0] group_vertex_o,
+    output logic [511:0] group_position_o,
     output logic send_valid_o,
     input  logic send_ready_i,
     output logic [VW-1:0] send_vertex_o,
@@ -111,6 +115,9 @@ module refine #(
   logic [177*BANKS-1:0] ring, ring_wr_data;
   logic [13*BANKS-1:0] mark, mark_wr_data;
   logic [168*BANKS-1:0] sum, sum_wr_data;
+  logic [BANKS-1:0] wide_rd_en, leave_wr_en;
+  logic [VR-1:0] wide_rd_row, leave_wr_row;
+  logic [128*BANKS-1:0] wide_rd_data;
   logic smooth_row_rd, smooth_rd, smooth_wr, smooth_move, smooth_old, smooth_sent;
   logic [VR-1:0] smooth_row;
   logic [VW-1:0] smooth_rd_index, smooth_wr_vertex;
@@ -163,7 +170,9 @@ module refine #(
       .chosen_rd_row_i(chosen_rd_row), .chosen_rd_data_o(chosen), .held_wr_en_i(held_wr_en),
       .held_wr_row_i(held_wr_row), .row_rd_en_i(smooth_row_rd), .row_rd_i(smooth_row),
       .held_rd_data_o(held), .smooth_rd_en_i(smooth_rd), .smooth_rd_index_i(smooth_rd_index),
-      .single_sum_o(single_sum), .smooth_wr_i(smooth_wr), .smooth_wr_vertex_i(smooth_wr_vertex),
+      .single_sum_o(single_sum), .wide_rd_en_i(wide_rd_en), .wide_rd_row_i(wide_rd_row),
+      .wide_rd_data_o(wide_rd_data), .leave_wr_en_i(leave_wr_en), .leave_wr_row_i(leave_wr_row),
+      .smooth_wr_i(smooth_wr), .smooth_wr_vertex_i(smooth_wr_vertex),
       .smooth_wr_move_i(smooth_move), .smooth_wr_old_i(smooth_old), .smooth_wr_sent_i(smooth_sent),
       .smooth_wr_position_i(smooth_position), .smooth_wr_before_i(smooth_before)
   );
@@ -344,7 +353,9 @@ module refine #(
       .face_rd_en_o(smooth_face_rd), .face_rd_index_o(smooth_face), .face_rd_data_i(point),
       .write_valid_o(smooth_wr), .write_vertex_o(smooth_wr_vertex), .write_move_o(smooth_move),
       .write_old_o(smooth_old), .write_sent_o(smooth_sent), .write_position_o(smooth_position),
-      .write_before_o(smooth_before), .send_valid_o, .send_ready_i, .send_vertex_o,
+      .write_before_o(smooth_before), .wide_rd_en_o(wide_rd_en), .wide_rd_row_o(wide_rd_row),
+      .wide_rd_data_i(wide_rd_data), .leave_wr_en_o(leave_wr_en), .leave_wr_row_o(leave_wr_row),
+      .group_valid_o, .group_ready_i, .group_vertex_o, .group_position_o, .send_valid_o, .send_ready_i, .send_vertex_o,
       .send_position_o, .busy_o(busy_o[3]), .starved_o(starved_o[3]), .blocked_o(blocked_o[3]),
       .item_in_o(item_in_o[3]), .item_out_o(item_out_o[3])
   );

@@ -21,7 +21,8 @@
 //   * A vertex is active if its mark word's tag is this generation. In an odd step every active
 //     vertex' old position is kept, moved or not: classify needs it in the even step.
 //   * Rate: an active vertex a cycle; a row of vertices without work takes one cycle. In an even
-//     step only vertices that leave are work.
+//     step only vertices that leave are work. Where none moves and none has a limit, up to four of a
+//     row leave in a cycle, in groups (group_*); with new_from_face_i new ones leave singly.
 //   * write_valid_o: write_vertex_o gets the position (if write_move_o), the old position (if
 //     write_old_o), and counts as sent (if write_sent_o). No vertex is read after it was written.
 //   * send_valid_o/send_ready_i: vertices that leave, in order; send_at_level_o: with limit_i, at
@@ -31,7 +32,8 @@
 
 module smooth #(
     parameter int unsigned VW = 19,  // width of a vertex number
-    parameter int unsigned BANK_BITS = 3
+    parameter int unsigned BANK_BITS = 3,
+    parameter bit WIDE = 1'b1  // several vertices may leave in a cycle
 ) (
     input logic clk_i,
     input logic rst_i,
@@ -78,7 +80,18 @@ module smooth #(
     output logic [ 127:0] write_position_o,
     output logic [ 127:0] write_before_o,
 
+    // position memory, several vertices of a row, and their marks: they have been sent
+    output logic [    (1<<BANK_BITS)-1:0] wide_rd_en_o,
+    output logic [      VW-BANK_BITS-1:0] wide_rd_row_o,
+    input  logic [128*(1<<BANK_BITS)-1:0] wide_rd_data_i,
+    output logic [    (1<<BANK_BITS)-1:0] leave_wr_en_o,
+    output logic [      VW-BANK_BITS-1:0] leave_wr_row_o,
+
     // to emit
+    output logic            group_valid_o,
+    input  logic            group_ready_i,
+    output logic [4*VW-1:0] group_vertex_o,
+    output logic [   511:0] group_position_o,
     output logic          send_valid_o,
     input  logic          send_ready_i,
     output logic [VW-1:0] send_vertex_o,
@@ -100,7 +113,9 @@ module smooth #(
   logic rows_q, fresh_q;  // rows remain; the row that is shown was just read
   logic [ROW_BITS-1:0] row_q;
   logic [BANKS-1:0] work, move, leave, border, done_q, pick;
-  logic advance, stall, pick_row, last_row;
+  logic advance, stall, pick_row, last_row, wide;
+
+  assign wide = WIDE && !limit_i && (!odd_i || finish_i);
 
   always_comb begin
     for (int b = 0; b < BANKS; b++) begin
@@ -111,11 +126,21 @@ module smooth #(
       stays = held_rd_data_i[b] || border[b];
       move[b] = active && odd_i && !stays && !mark_rd_data_i[b*13+4] && !finish_i;
       leave[b] = active && !mark_rd_data_i[b*13+4] && (stays || last_i || finish_i);
-      work[b] = active && (odd_i || leave[b]) && !done_q[b];
+      work[b] = active && ((odd_i && !wide) || leave[b]) && !done_q[b];
     end
   end
 
-  assign pick = work & (~work + BANKS'(1));  // the lowest
+  // The lowest, or the lowest four.
+  always_comb begin
+    logic [BANKS-1:0] left;
+    left = work;
+    pick = '0;
+    for (int i = 0; i < 4; i++)
+      if (i == 0 || wide) begin
+        pick = pick | (left & (~left + BANKS'(1)));
+        left = left & (left - BANKS'(1));
+      end
+  end
   assign pick_row = rows_q && fresh_q && work != '0 && !stall;
   assign advance = rows_q && fresh_q && (work == '0 || (!stall && work == pick));
   assign last_row = {1'b0, row_q, {BANK_BITS{1'b1}}} + (VW + 1)'(1) >= count_i;
@@ -142,6 +167,18 @@ module smooth #(
   logic [VW:0] new_left_q;
   logic [VW-1:0] new_q;
   logic pick_new;
+  logic [2:0] new_count;  // that are picked at once: of a row
+  logic [BANKS-1:0] new_mask;
+  logic [BANK_BITS:0] row_left;
+
+  assign row_left = (BANK_BITS + 1)'(BANKS) - {1'b0, new_q[BANK_BITS-1:0]};
+  always_comb begin
+    new_count = 3'd4;
+    if (32'(row_left) < 32'd4) new_count = 3'(row_left);
+    if (new_left_q < (VW + 1)'(new_count)) new_count = 3'(new_left_q);
+    if (!wide || new_from_face_i) new_count = 3'd1;
+    new_mask = ((BANKS'(1) << new_count) - BANKS'(1)) << new_q[BANK_BITS-1:0];
+  end
 
   assign pick_new = !rows_q && new_left_q != '0 && !stall;
 
@@ -150,8 +187,8 @@ module smooth #(
       new_left_q <= last_i ? new_i : '0;
       new_q <= count_i[VW-1:0];
     end else if (pick_new) begin
-      new_left_q <= new_left_q - (VW + 1)'(1);
-      new_q <= new_q + VW'(1);
+      new_left_q <= new_left_q - (VW + 1)'(new_count);
+      new_q <= new_q + VW'(new_count);
     end
     if (rst_i) new_left_q <= '0;
   end
@@ -166,7 +203,7 @@ module smooth #(
     pick_bank = '0;
     for (int b = 0; b < BANKS; b++) if (pick[b]) pick_bank = BANK_BITS'(b);
   end
-  assign vertex_rd_en_o = pick_row || pick_new;
+  assign vertex_rd_en_o = (pick_row || pick_new) && !wide;
   assign face_rd_en_o = pick_new && new_from_face_i;
   assign face_rd_index_o = new_q - count_i[VW-1:0];
   assign vertex_rd_index_o = pick_row ? {row_q, pick_bank} : new_q;
@@ -184,6 +221,41 @@ module smooth #(
   end
 
   assign position = read_new_q && new_from_face_i ? face_rd_data_i : position_rd_data_i;
+
+  // --- Wide: what leaves where it is ------------------------------------------------------------------------
+  logic wide_q, wide_new_q, groups_stall, groups_active, single_valid, single_ready;
+  logic [BANKS-1:0] wide_mask_q;
+  logic [ROW_BITS-1:0] wide_row_q;
+  logic [VW-1:0] single_vertex;
+  logic [127:0] single_position;
+
+  assign wide_rd_en_o = !wide ? '0 : pick_row ? pick : pick_new ? new_mask : '0;
+  assign wide_rd_row_o = pick_row ? row_q : new_q[VW-1:BANK_BITS];
+
+  always_ff @(posedge clk_i) begin
+    wide_q <= wide_rd_en_o != '0;
+    if (wide_rd_en_o != '0) begin
+      wide_mask_q <= wide_rd_en_o;
+      wide_row_q <= wide_rd_row_o;
+      wide_new_q <= pick_new;
+    end
+    if (rst_i) wide_q <= 1'b0;
+  end
+
+  assign leave_wr_en_o = wide_q && !wide_new_q ? wide_mask_q : '0;
+  assign leave_wr_row_o = wide_row_q;
+
+  send_groups #(
+      .VW(VW),
+      .BANK_BITS(BANK_BITS)
+  ) u_groups (
+      .clk_i, .rst_i, .valid_i(wide_q), .mask_i(wide_mask_q), .row_i(wide_row_q),
+      .positions_i(wide_new_q && new_from_face_i ? {BANKS{face_rd_data_i}} : wide_rd_data_i),
+      .stall_o(groups_stall), .end_i(!rows_q && new_left_q == '0 && !wide_q), .group_valid_o,
+      .group_ready_i, .group_vertex_o, .group_position_o, .single_valid_o(single_valid),
+      .single_ready_i(single_ready), .single_vertex_o(single_vertex),
+      .single_position_o(single_position), .active_o(groups_active)
+  );
 
   // --- Which mask ----------------------------------------------------------------------------------------
   logic stays, crease, moves, limits, at_level;
@@ -297,7 +369,9 @@ module smooth #(
 
   // --- Send -----------------------------------------------------------------------------------------------------
   logic [4:0] send_level;
-  logic [127:0] leaves_at;
+  logic [127:0] leaves_at, moved_position;
+  logic moved_valid, moved_at_level;
+  logic [VW-1:0] moved_vertex;
 
   assign leaves_at = along_move || along_limit ? quotient : along_position;
 
@@ -311,22 +385,29 @@ module smooth #(
       .in_valid_i(retire && along_leave),
       .in_ready_o(),  // stall keeps it high
       .in_data_i({along_at_level, along_vertex, leaves_at}),
-      .out_valid_o(send_valid_o),
+      .out_valid_o(moved_valid),
       .out_ready_i(send_ready_i),
-      .out_data_o({send_at_level_o, send_vertex_o, send_position_o}),
+      .out_data_o({moved_at_level, moved_vertex, moved_position}),
       .level_o(send_level)
   );
   /* verilator lint_on PINCONNECTEMPTY */
 
   // Six may be on their way, and one is picked before the level shows the one before it.
-  assign stall = send_level > 5'd8;
+  assign stall = wide ? groups_stall : send_level > 5'd8;
+
+  // The two ways never have something at the same time.
+  assign send_valid_o = moved_valid || single_valid;
+  assign single_ready = send_ready_i && !moved_valid;
+  assign send_vertex_o = moved_valid ? moved_vertex : single_vertex;
+  assign send_position_o = moved_valid ? moved_position : single_position;
+  assign send_at_level_o = moved_valid && moved_at_level;
 
   // --- Counters ----------------------------------------------------------------------------------------------
-  assign active_o = rows_q || new_left_q != '0 || read_q || flight_q != '0 || send_valid_o;
-  assign busy_o = vertex_rd_en_o;
+  assign active_o = rows_q || new_left_q != '0 || read_q || flight_q != '0 || wide_q || groups_active || send_valid_o;
+  assign busy_o = vertex_rd_en_o || wide_rd_en_o != '0;
   assign blocked_o = stall && ((rows_q && work != '0) || (!rows_q && new_left_q != '0));
   assign starved_o = active_o && !busy_o && !blocked_o;
   assign item_in_o = busy_o;
-  assign item_out_o = retire;
+  assign item_out_o = retire || wide_q;
 
 endmodule

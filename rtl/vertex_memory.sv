@@ -97,6 +97,11 @@ module vertex_memory #(
     output logic [       167:0] single_sum_o,
     output logic [       176:0] single_ring_o,
     output logic [        17:0] single_sharp_o,
+    input  logic [         BANKS-1:0] wide_rd_en_i,    // positions, several of a row
+    input  logic [ROW_BITS-1:0] wide_rd_row_i,
+    output logic [   128*BANKS-1:0] wide_rd_data_o,
+    input  logic [         BANKS-1:0] leave_wr_en_i,   // these of a row have been sent
+    input  logic [ROW_BITS-1:0] leave_wr_row_i,
     input  logic                smooth_wr_i,
     input  logic [      VW-1:0] smooth_wr_vertex_i,
     input  logic                smooth_wr_move_i,
@@ -123,9 +128,10 @@ module vertex_memory #(
 
   assign single_rd_en = quantize_rd_en_i || smooth_rd_en_i;
   assign single_rd_index = smooth_rd_en_i ? smooth_rd_index_i : quantize_rd_index_i;
-  assign position_rd_en = gather_rd_en_i | bank_of(single_rd_en, single_rd_index[BANK_BITS-1:0]);
+  assign position_rd_en = gather_rd_en_i | wide_rd_en_i |
+      bank_of(single_rd_en, single_rd_index[BANK_BITS-1:0]);
   assign position_rd_row = single_rd_en ? {BANKS{single_rd_index[VW-1:BANK_BITS]}} :
-      gather_rd_row_i;
+      wide_rd_en_i != '0 ? {BANKS{wide_rd_row_i}} : gather_rd_row_i;
   assign position_wr_en = load_wr_en_i || birth_i || (smooth_wr_i && smooth_wr_move_i);
 
   always_comb begin
@@ -157,6 +163,7 @@ module vertex_memory #(
       .wr_data_i({BANKS{position_wr_data}})
   );
 
+  assign wide_rd_data_o = position_rd_data;
   assign single_position_o = position_rd_data[32'(single_bank_q)*128+:128];
 
   // --- Sum, old position ---------------------------------------------------------------------------------
@@ -273,9 +280,12 @@ module vertex_memory #(
       .rd_en_i(mark_rd_en_i | all_banks),
       .rd_row_i(row_rd_en_i ? rows : mark_rd_row_i),
       .rd_data_o(mark_rd_data_o),
-      .wr_en_i(mark_wr_en_i | bank_of(mark_single_en, mark_single_index[BANK_BITS-1:0])),
-      .wr_row_i(mark_single_en ? {BANKS{mark_single_index[VW-1:BANK_BITS]}} : mark_wr_row_i),
-      .wr_data_i(mark_single_en ? {BANKS{mark_single_data}} : mark_wr_data_i)
+      .wr_en_i(mark_wr_en_i | leave_wr_en_i |
+               bank_of(mark_single_en, mark_single_index[BANK_BITS-1:0])),
+      .wr_row_i(mark_single_en ? {BANKS{mark_single_index[VW-1:BANK_BITS]}} :
+                leave_wr_en_i != '0 ? {BANKS{leave_wr_row_i}} : mark_wr_row_i),
+      .wr_data_i(mark_single_en ? {BANKS{mark_single_data}} :
+                 leave_wr_en_i != '0 ? {BANKS{generation_i, 1'b1, 4'd0}} : mark_wr_data_i)
   );
 
   banked_memory #(

@@ -108,7 +108,8 @@ module classify_top (
       .held_wr_row_i(hold_i ? {8{vertex_i[9:3]}} : 56'd0), .row_rd_en_i(row_rd || look_i),
       .row_rd_i(look_i ? row_i : row), .held_rd_data_o(held), .smooth_rd_en_i(smooth_rd),
       .smooth_rd_index_i(smooth_rd_index), .single_sum_o(single_sum), .single_ring_o(single_ring),
-      .single_sharp_o(single_sharp), .smooth_wr_i(write_o), .smooth_wr_vertex_i(write_vertex_o),
+      .single_sharp_o(single_sharp), .wide_rd_en_i(8'd0), .wide_rd_row_i(7'd0), .wide_rd_data_o(), .leave_wr_en_i(8'd0),
+      .leave_wr_row_i(7'd0), .smooth_wr_i(write_o), .smooth_wr_vertex_i(write_vertex_o),
       .smooth_wr_move_i(move_o), .smooth_wr_old_i(old_o), .smooth_wr_sent_i(leave_o),
       .smooth_wr_position_i(write_position_o), .smooth_wr_before_i(before_o)
   );
@@ -135,7 +136,8 @@ module classify_top (
   );
 
   smooth #(
-      .VW(10)
+      .VW(10),
+      .WIDE(1'b0)  // the test looks at vertices one by one
   ) i_smooth (
       .clk_i, .rst_i, .start_i(smooth_i), .count_i(vertices_i), .new_i(11'd0),
       .odd_i(!generation_i[0]), .last_i(1'b0), .finish_i, .generation_i,
@@ -145,7 +147,9 @@ module classify_top (
       .sum_rd_data_i(single_sum), .ring_rd_data_i(single_ring), .sharp_rd_data_i(single_sharp),
       .new_from_face_i(1'b0), .face_rd_en_o(), .face_rd_index_o(), .face_rd_data_i(128'd0),
       .write_valid_o(write_o), .write_vertex_o, .write_move_o(move_o), .write_old_o(old_o),
-      .write_sent_o(leave_o), .write_position_o, .write_before_o(before_o), .send_valid_o,
+      .write_sent_o(leave_o), .write_position_o, .write_before_o(before_o), .wide_rd_en_o(), .wide_rd_row_o(), .wide_rd_data_i(1024'd0), .leave_wr_en_o(),
+      .leave_wr_row_o(), .group_valid_o(), .group_ready_i(1'b1), .group_vertex_o(),
+      .group_position_o(), .send_valid_o,
       .send_ready_i, .send_vertex_o, .send_position_o, .send_at_level_o(at_level_o), .busy_o(),
       .starved_o(), .blocked_o(), .item_in_o(), .item_out_o()
   );

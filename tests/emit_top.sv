@@ -13,6 +13,7 @@ module emit_top (
     input  logic [  7:0] op_generation_i,
     input  logic [ 23:0] op_number_i,
     input  logic [127:0] op_position_i,
+    input  logic [383:0] op_group_i,
     input  logic         op_at_level_i,
     input  logic [  3:0] op_mask_i,
     input  logic [  3:0] op_triangle_i,
