@@ -144,13 +144,14 @@ static void classify_face(hs_state *s, uint32_t number) {
                     .n = hs_face_sides(s, number),
                     .corner = s->origin + h0,
                     .half = s->generation && hs_is_half(s, number)};
-    s->face_mark[number] = s->settings.uniform ? 0 : marks_of_face(s, &f);
+    s->face_mark[number] = s->unmarked ? 0 : marks_of_face(s, &f);
     new_point(s, &f, s->point[number]);
     for (uint32_t i = 0; i < f.n; i++)
         add_to_vertex(s, &f, i);
 }
 
 void hs_stage_classify(hs_state *s) {
+    s->unmarked = s->settings.uniform && !s->mark_always;
     memset(s->mark, 0, s->vertices);
     if (hs_odd_step(s)) memset(s->sum, 0, s->vertices * sizeof *s->sum);
     if (s->settings.limit) memset(s->ring, 0, s->vertices * sizeof *s->ring);

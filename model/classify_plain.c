@@ -17,7 +17,7 @@ static uint8_t marks_of_quad(const int32_t *a, const int32_t *b, const int32_t *
 /* Inlined for each kind of step and run. The arrays have local names because a store to an array of
  * bytes might, for all the compiler knows, change *s. */
 static inline __attribute__((always_inline)) void classify_quads(hs_state *s, bool odd,
-                                                                 bool uniform) {
+                                                                 bool unmarked) {
     int32_t(*const position)[4] = s->position, (*const from)[4] = odd ? s->position : s->old;
     int64_t(*sum)[4] = s->sum;
     int32_t(*point)[4] = s->point;
@@ -31,9 +31,9 @@ static inline __attribute__((always_inline)) void classify_quads(hs_state *s, bo
             p[i] = hs_load(from[corner[i]]);
         const hs_int4 new_point = hs_quad_mask(p[0], p[1], p[2], p[3]);
         memcpy(*point++, &new_point, sizeof new_point);
-        const uint8_t m = uniform ? 0
-                                  : marks_of_quad(position[corner[0]], position[corner[1]],
-                                                  position[corner[2]], position[corner[3]]);
+        const uint8_t m = unmarked ? 0
+                                   : marks_of_quad(position[corner[0]], position[corner[1]],
+                                                   position[corner[2]], position[corner[3]]);
         *face_mark++ = m;
 #pragma GCC unroll 4
         for (uint32_t i = 0; i < 4; i++) {
@@ -45,12 +45,12 @@ static inline __attribute__((always_inline)) void classify_quads(hs_state *s, bo
 }
 
 void hs_classify_plain_quads(hs_state *s) {
-    const bool odd = hs_odd_step(s), uniform = s->settings.uniform;
-    if (odd && uniform)
+    const bool odd = hs_odd_step(s), unmarked = s->unmarked;
+    if (odd && unmarked)
         classify_quads(s, true, true);
     else if (odd)
         classify_quads(s, true, false);
-    else if (uniform)
+    else if (unmarked)
         classify_quads(s, false, true);
     else
         classify_quads(s, false, false);

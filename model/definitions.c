@@ -14,6 +14,7 @@ struct status_text {
 #define STAGE(name, index, what)
 #define ACTIVITY(name, index, what)
 #define REGISTER(name, address, access, what)
+#define PROBE(name, index, stage, what)
 #define EXIT(name, value, what)
 static const struct status_text statuses[] = {
 #include "definitions.def"
@@ -23,6 +24,17 @@ static const struct status_text statuses[] = {
 #undef STAGE
 #define STAGE(name, index, what) #name,
 static const char *const stages[] = {
+#include "definitions.def"
+};
+
+#undef STAGE
+#define STAGE(name, index, what)
+#undef PROBE
+#define PROBE(name, index, stage, what) {#name, what, HS_STAGE_##stage},
+static const struct {
+    const char *name, *what;
+    uint32_t stage;
+} probes[] = {
 #include "definitions.def"
 };
 
@@ -47,4 +59,16 @@ const char *hs_status_remedy(uint32_t status) {
 
 const char *hs_stage_name(uint32_t stage) {
     return stage < HS_STAGES ? stages[stage] : "?";
+}
+
+const char *hs_probe_name(uint32_t probe) {
+    return probe < HS_PROBES ? probes[probe].name : "?";
+}
+
+const char *hs_probe_what(uint32_t probe) {
+    return probe < HS_PROBES ? probes[probe].what : "?";
+}
+
+uint32_t hs_probe_stage(uint32_t probe) {
+    return probe < HS_PROBES ? probes[probe].stage : HS_STAGES;
 }

@@ -14,6 +14,7 @@
 #define STAGE(name, index, what)
 #define ACTIVITY(name, index, what)
 #define REGISTER(name, address, access, what)
+#define PROBE(name, index, stage, what)
 #define EXIT(name, value, what)
 #include "definitions.def"
 #undef CONSTANT
@@ -61,6 +62,15 @@ enum hs_register {
 #undef REGISTER
 #define REGISTER(name, address, access, what)
 
+#undef PROBE
+#define PROBE(name, index, stage, what) HS_PROBE_##name = index,
+enum hs_probe {
+#include "definitions.def"
+    HS_PROBES
+};
+#undef PROBE
+#define PROBE(name, index, stage, what)
+
 #undef EXIT
 #define EXIT(name, value, what) HS_EXIT_##name = value,
 enum hs_exit {
@@ -74,6 +84,7 @@ enum hs_exit {
 #undef STAGE
 #undef ACTIVITY
 #undef REGISTER
+#undef PROBE
 
 #ifdef __cplusplus
 extern "C" {
@@ -87,6 +98,10 @@ const char *hs_status_what(uint32_t status);
 const char *hs_status_remedy(uint32_t status);
 /* "classify" for HS_STAGE_classify. */
 const char *hs_stage_name(uint32_t stage);
+/* "split_in" for HS_PROBE_split_in, what passes there, and the stage that it belongs to. */
+const char *hs_probe_name(uint32_t probe);
+const char *hs_probe_what(uint32_t probe);
+uint32_t hs_probe_stage(uint32_t probe);
 
 #ifdef __cplusplus
 }

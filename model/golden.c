@@ -48,6 +48,14 @@ void hs_golden_observe(hs_golden *golden, const hs_observer *observer) {
     golden->observer = observer ? *observer : (hs_observer){0};
 }
 
+void hs_golden_mark_always(hs_golden *golden, bool always) {
+    golden->state.mark_always = always;
+}
+
+const hs_state *hs_golden_state(const hs_golden *golden) {
+    return &golden->state;
+}
+
 /* Reallocates *(void **)array to count elements; the old array stays if there is no memory. */
 static bool resize(void *array, size_t count, size_t element) {
     void *old, *data;
@@ -193,7 +201,9 @@ static bool refine(hs_golden *golden) {
         if (!hs_state_reserve(s, (size_t)s->vertices + s->refined, children, 4 * children))
             return false;
         hs_stage_smooth(s);
+        if (o->smoothed) o->smoothed(o->context, s);
         hs_stage_split(s);
+        if (o->divided) o->divided(o->context, s);
         if (s->exhausted || !keep_decisions(golden)) return false;
         if (s->finish) return true;
         if (s->last) return count_last_generation(golden);

@@ -43,6 +43,7 @@ typedef struct hs_state {
     hs_settings settings;
     float matrix[16];
     uint32_t status, error_position;
+    bool parsed;         /* every record was right in itself; the topology may still be wrong */
     uint32_t depth;      /* the generation at which everything is final */
     uint32_t max_forced; /* largest forced depth of a face */
     int32_t exponent;    /* E: positions are in units of 2^(E-30) */
@@ -56,7 +57,9 @@ typedef struct hs_state {
     uint32_t *origin, *twin; /* per half-edge; HS_BORDER: no active face beyond */
     uint8_t *sharp;          /* per half-edge: of the edge; odd generations: of the edge that
                                 the quad was made of, four times */
-    bool plain; /* nothing is sharp, no boundary but a kept one, no limit, no least edge */
+    bool mark_always; /* faces get their marks in uniform runs too, which have no use for them */
+    bool unmarked;    /* in this run they do not */
+    bool plain;       /* nothing is sharp, no boundary but a kept one, no limit, no least edge */
     uint8_t *candidate, *forced; /* per face */
 
     /* Vertices, alive or not: the first `vertices` of each array. Numbers are for ever: new ones
@@ -109,7 +112,7 @@ typedef struct hs_state {
 bool hs_state_reserve(hs_state *s, size_t vertices, size_t faces, size_t halfedges);
 
 /* Looks at a view while golden refines it, without changing what comes out: for the tests of the
- * invariants, and for measurements. Either function may be NULL; context is handed to both. */
+ * invariants, and for measurements. Each function may be NULL; context is handed to both. */
 typedef struct hs_observer {
     void *context;
     /* The generation's active mesh is complete; no stage has begun to work on it. */
@@ -117,10 +120,20 @@ typedef struct hs_observer {
     /* Marks, face points and decisions are known; no vertex has moved, nothing was sent. If
      * s->finish, guard may not have run: no face is refined, whatever the decisions say. */
     void (*decided)(void *context, const hs_state *s);
+    /* Vertices have moved, and those that leave have left. */
+    void (*smoothed)(void *context, const hs_state *s);
+    /* Children are numbered and made, final faces have left; the generation is still this one. */
+    void (*divided)(void *context, const hs_state *s);
 } hs_observer;
 
 /* Has all later runs of the context observed; NULL: by nobody. Keeps a copy. */
 void hs_golden_observe(hs_golden *golden, const hs_observer *observer);
+
+/* The context's state: of the run under way, or what the last one left. */
+const hs_state *hs_golden_state(const hs_golden *golden);
+
+/* Has later runs mark faces as the RTL does, in uniform runs too. */
+void hs_golden_mark_always(hs_golden *golden, bool always);
 
 /* The stages. receive and transform set status and error_position where the packet is at fault. */
 void hs_stage_receive(hs_state *s, const hs_packet *in);
@@ -170,6 +183,15 @@ typedef enum hs_kind { KIND_SMOOTH, KIND_CREASE, KIND_STAYS } hs_kind;
 static inline hs_kind hs_vertex_kind(const hs_state *s, uint32_t v) {
     if (hs_is_sharp(s->stays[v], hs_level(s))) return KIND_STAYS;
     return hs_is_sharp(s->crease[v], hs_level(s)) ? KIND_CREASE : KIND_SMOOTH;
+}
+
+/* What was sent was held once, and stays: no face that has left may be pulled at a corner. A vertex
+ * of valence 1, which only a face with a vertex twice can have, stays because the mask is no
+ * average there. sent: as it was before this generation's smooth. */
+static inline bool hs_may_move(const hs_state *s, const uint8_t *sent, uint32_t v) {
+    return !s->finish && !(s->mark[v] & (MARK_HELD | MARK_BORDER)) && !sent[v] &&
+           (s->valence[v] > 1 || hs_vertex_kind(s, v) == KIND_CREASE) &&
+           hs_vertex_kind(s, v) != KIND_STAYS;
 }
 
 /* The face of a half-edge, such as a twin that exists. */

@@ -239,10 +239,12 @@ void hs_stage_receive(hs_state *s, const hs_packet *in) {
     s->status = HS_STATUS_OK;
     s->error_position = HS_NO_POSITION;
     s->max_forced = 0;
+    s->parsed = false;
     if (!read_header(s, in) || !read_matrix(s, in)) return;
     if (!hs_state_reserve(s, s->vertices, s->faces, s->halfedges)) return;
     memset(s->stays, 0, s->vertices);
     if (!read_vertices(s, in) || !read_corners(s, in) || !read_trailer(s, in)) return;
+    s->parsed = true;
     memset(s->valence, 0, s->vertices);
     check_topology(s);
     if (s->status == HS_STATUS_OK) find_sharp_vertices(s);

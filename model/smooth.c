@@ -12,15 +12,6 @@
 #include "arithmetic.h"
 #include "golden_state.h"
 
-/* What was sent was held once, and stays: no face that has left may be pulled at a corner. A vertex
- * of valence 1, which only a face with a vertex twice can have, stays because the mask is no
- * average there. */
-static bool may_move(const hs_state *s, uint32_t v) {
-    return !(s->mark[v] & (MARK_HELD | MARK_BORDER)) && !s->sent[v] &&
-           (s->valence[v] > 1 || hs_vertex_kind(s, v) == KIND_CREASE) &&
-           hs_vertex_kind(s, v) != KIND_STAYS;
-}
-
 static void move(hs_state *s, uint32_t v) {
     const int32_t *from = s->old[v];
     const int64_t *sum = s->sum[v];
@@ -97,7 +88,7 @@ void hs_stage_smooth(hs_state *s) {
     if (odd) remember_positions(s);
     for (uint32_t v = 0; v < s->vertices; v++) {
         if (!(s->mark[v] & MARK_ACTIVE)) continue;
-        if (odd && may_move(s, v)) {
+        if (odd && hs_may_move(s, s->sent, v)) {
             move(s, v);
             s->count.moved++;
         } else if (odd) {

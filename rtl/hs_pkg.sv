@@ -190,6 +190,58 @@ package hs_pkg;
   // counters, 32 bytes a stage: busy, starved, blocked, idle, in, out
   localparam logic [11:0] REG_STAGES = 12'h100;
 
+  // --- Stage boundaries
+  // a beat of the input stream
+  localparam logic [31:0] PROBE_beat_in = 32'd0;
+  // a vertex for transform: x, y, z, w
+  localparam logic [31:0] PROBE_vertex_in = 32'd1;
+  // a corner for the record memory: origin, twin, {last, first, boundary, border}, {own, sharpness, forced}
+  localparam logic [31:0] PROBE_corner_in = 32'd2;
+  // a vertex in clip space: x, y, z, w
+  localparam logic [31:0] PROBE_clip = 32'd3;
+  // a vertex for the position memory: x, y, z, w
+  localparam logic [31:0] PROBE_quantized = 32'd4;
+  // a stage starts, its number: generation, items, vertices
+  localparam logic [31:0] PROBE_kick = 32'd5;
+  // an item is taken: origins
+  localparam logic [31:0] PROBE_classify_in = 32'd6;
+  // a face's new vertex, {stop, front} above its number: x, y, z, w
+  localparam logic [31:0] PROBE_classify_face = 32'd7;
+  // a contribution to the vertices: marks
+  localparam logic [31:0] PROBE_classify_out = 32'd8;
+  // an item is taken: origins
+  localparam logic [31:0] PROBE_select_in = 32'd9;
+  // a face's verdict: selected
+  localparam logic [31:0] PROBE_select_face = 32'd10;
+  // an item's vertices are chosen, or not: selected
+  localparam logic [31:0] PROBE_select_out = 32'd11;
+  // an item is taken: origins
+  localparam logic [31:0] PROBE_guard_in = 32'd12;
+  // a new vertex: x, y, z, w
+  localparam logic [31:0] PROBE_guard_new = 32'd13;
+  // an item's verdict: refined, selected, number
+  localparam logic [31:0] PROBE_guard_out = 32'd14;
+  // a vertex, or the first of a row's, is picked: lanes
+  localparam logic [31:0] PROBE_smooth_in = 32'd15;
+  // a vertex is written: {sent, moved}, its x, y, z
+  localparam logic [31:0] PROBE_smooth_out = 32'd16;
+  // an item is taken: origins
+  localparam logic [31:0] PROBE_split_in = 32'd17;
+  // an item's children are numbered: first, lower
+  localparam logic [31:0] PROBE_split_number = 32'd18;
+  // lower halves: quads
+  localparam logic [31:0] PROBE_split_lower = 32'd19;
+  // upper halves: quads
+  localparam logic [31:0] PROBE_split_upper = 32'd20;
+  // an item is done: edges replaced, lower ones
+  localparam logic [31:0] PROBE_split_out = 32'd21;
+  // emit takes an op: kind, number, mask
+  localparam logic [31:0] PROBE_op = 32'd22;
+  // pack takes records: how many, {last}
+  localparam logic [31:0] PROBE_records = 32'd23;
+  // a beat of the output stream: its words, four XORed
+  localparam logic [31:0] PROBE_beat_out = 32'd24;
+
   // --- Division by n^2, and for limits by n^2 + 5n; see divide.sv.
   // {s[4:0], r[47:0]} for {limit, n} from 511 down to 0
   localparam logic [53*512-1:0] RECIPROCALS = {

@@ -52,6 +52,10 @@ const char *hs_engine_name(enum hs_engine engine) {
     return ENGINE_NAME[engine];
 }
 
+bool hs_engine_timed(enum hs_engine engine) {
+    return engine == HS_ENGINE_model || engine == HS_ENGINE_rtl;
+}
+
 bool hs_engines_parse(const char *list, uint32_t *engines, hs_error *err) {
     const char *names[HS_ENGINES + 1] = {NULL};
     memcpy(names, ENGINE_NAME, sizeof ENGINE_NAME);
@@ -64,16 +68,14 @@ bool hs_engines_parse(const char *list, uint32_t *engines, hs_error *err) {
         int e = 0;
         while (e < HS_ENGINES && strcmp(name, ENGINE_NAME[e]) != 0)
             e++;
-        if (e == HS_ENGINE_model)
-            return hs_fail(err, HS_EXIT_USAGE,
-                           "--engine: this version does not contain the cycle-level model; name "
-                           "reference, golden or rtl");
         if (e == HS_ENGINES) {
             const char *nearest = hs_nearest(name, names);
-            return hs_fail(err, HS_EXIT_USAGE,
-                           "--engine: no engine \"%s\"%s%s%s; there are reference, golden and rtl",
-                           name, nearest ? "; did you mean \"" : "", nearest ? nearest : "",
-                           nearest ? "\"?" : "");
+            return hs_fail(
+                err, HS_EXIT_USAGE,
+                "--engine: no engine \"%s\"%s%s%s; there are reference, golden, model and "
+                "rtl",
+                name, nearest ? "; did you mean \"" : "", nearest ? nearest : "",
+                nearest ? "\"?" : "");
         }
         *engines |= 1u << e;
     }
@@ -145,7 +147,7 @@ static enum hs_parsed parse(hs_run_request *r, int argc, char **argv, hs_error *
                           .reference_levels = 4,
                           .limits = HS_DEFAULT_LIMITS,
                           .stalls = {.seed = 1}};
-    texts t = {.engines = "golden,rtl",
+    texts t = {.engines = "golden,model,rtl",
                .size = "768x768",
                .front = 4,
                .silhouette = 8,
@@ -177,7 +179,7 @@ static enum hs_parsed parse(hs_run_request *r, int argc, char **argv, hs_error *
         {"force", 0, HS_OPTION_TEXT, "FILE", &r->force, 0, 0, NULL,
          "depths for single faces: lines `FIRST-LAST DEPTH`,\nfaces from 1 as in the mesh"},
         {"engine", 'e', HS_OPTION_TEXT, "LIST", &t.engines, 0, 0, NULL,
-         "reference, golden, rtl (golden,rtl)"},
+         "reference, golden, model, rtl (golden,model,rtl)"},
         {"out", 'o', HS_OPTION_TEXT, "DIR", &r->out, 0, 0, NULL,
          "folder for views, meshes and pictures"},
         {"json", 'j', HS_OPTION_TEXT, "FILE", &r->json, 0, 0, NULL, "report with all figures"},
@@ -186,7 +188,7 @@ static enum hs_parsed parse(hs_run_request *r, int argc, char **argv, hs_error *
         {"levels", 0, HS_OPTION_NUMBER, "N", &r->reference_levels, 0, 8, NULL,
          "Catmull-Clark levels of the reference surface that\npictures are compared with (4)"},
         {"stalls", 0, HS_OPTION_TEXT, "IN,OUT", &t.stalls, 0, 0, NULL,
-         "per cent of the cycles in which rtl's streams pause"},
+         "per cent of the cycles in which the streams pause"},
         {"seed", 0, HS_OPTION_NUMBER, "N", &r->stalls.seed, 0, UINT32_MAX, NULL,
          "of the stalls, and of rtl's initial memories (1)"},
         {"max-vertices", 0, HS_OPTION_NUMBER, "N", &r->limits.vertices, 1, most, NULL,
@@ -270,7 +272,7 @@ static bool prepare(hs_run *run, hs_error *err) {
         if (!make_folder(r->out, err)) return false;
         snprintf(path, sizeof path, "%s/views.txt", r->out);
         if (!hs_views_write(&run->views, path, err)) return false;
-        if (r->engines & (1u << HS_ENGINE_golden | 1u << HS_ENGINE_rtl)) {
+        if (r->engines & ~(1u << HS_ENGINE_reference)) {
             run->pictures = hs_run_pictures_new(&run->mesh, &r->settings, r->width, r->height,
                                                 r->reference_levels, err);
             if (!run->pictures) return false;
@@ -280,6 +282,10 @@ static bool prepare(hs_run *run, hs_error *err) {
     if (r->wave && !try_file(r->wave, err)) return false;
     run->golden = hs_golden_new(r->limits);
     if (!run->golden) return hs_fail(err, HS_EXIT_INTERNAL, "no memory for golden");
+    if (r->engines >> HS_ENGINE_model & 1) {
+        run->model = hs_model_new(r->limits, HS_DEFAULT_CONFIG, err);
+        if (!run->model) return false;
+    }
     if (r->engines >> HS_ENGINE_rtl & 1) {
         hs_progress_show(&run->progress, "building the simulation of the rtl");
         run->rtl = hs_rtl_new(r->limits, r->stalls.seed, err);
@@ -358,6 +364,9 @@ int hs_command_run(int argc, char **argv, hs_error *err) {
     free(run.view);
     hs_run_pictures_free(run.pictures);
     hs_rtl_free(run.rtl);
+    hs_model_free(run.model);
+    hs_log_free(&run.model_log);
+    hs_log_free(&run.rtl_log);
     hs_golden_free(run.golden);
     hs_views_free(&run.views);
     hs_mesh_free(&run.mesh);

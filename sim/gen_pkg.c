@@ -14,7 +14,7 @@
 
 #include "definitions.h"
 
-enum kind { CONSTANTS, RECORDS, STATUSES, STAGES, ACTIVITIES, REGISTERS, EXITS, KINDS };
+enum kind { CONSTANTS, RECORDS, STATUSES, STAGES, ACTIVITIES, REGISTERS, PROBES, EXITS, KINDS };
 
 struct entry {
     enum kind kind;
@@ -22,7 +22,7 @@ struct entry {
     const char *literal; /* the value as definitions.def writes it */
     uint32_t value;
     const char *what;
-    const char *more; /* a status' remedy, a register's access */
+    const char *more; /* a status' remedy, a register's access, a boundary's stage */
 };
 
 #define CONSTANT(name, value, what)           {CONSTANTS, #name, #value, (uint32_t)value, what, ""},
@@ -31,6 +31,7 @@ struct entry {
 #define STAGE(name, index, what)              {STAGES, #name, #index, index, what, ""},
 #define ACTIVITY(name, index, what)           {ACTIVITIES, #name, #index, index, what, ""},
 #define REGISTER(name, address, access, what) {REGISTERS, #name, #address, address, what, access},
+#define PROBE(name, index, stage, what)       {PROBES, #name, #index, index, what, #stage},
 #define EXIT(name, value, what)               {EXITS, #name, #value, value, what, ""},
 
 static const struct entry entries[] = {
@@ -51,6 +52,7 @@ static const struct {
     [STAGES] = {"STAGE_", 4, "Stages", "| name | index | what |"},
     [ACTIVITIES] = {"ACTIVITY_", 2, "Activities of a stage", "| name | index | what |"},
     [REGISTERS] = {"REG_", 12, "Registers", "| name | address | access | what |"},
+    [PROBES] = {"PROBE_", 32, "Stage boundaries", "| name | index | stage | what passes |"},
     [EXITS] = {"EXIT_", 0, "Exit codes of the command-line tool", "| name | code | what |"},
 };
 
@@ -140,7 +142,7 @@ static void write_tables(FILE *out) {
             const struct entry *e = &entries[i];
             if ((int)e->kind != k) continue;
             fprintf(out, "| `%s%s` | %s |", kinds[k].prefix, e->name, e->literal);
-            if (k == REGISTERS) write_cell(out, e->more);
+            if (k == REGISTERS || k == PROBES) write_cell(out, e->more);
             write_cell(out, e->what);
             if (k == STATUSES) write_cell(out, *e->more ? e->more : "nothing");
             fputc('\n', out);

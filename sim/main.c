@@ -42,6 +42,7 @@ static void print_help(void) {
 #define STAGE(name, index, what)
 #define ACTIVITY(name, index, what)
 #define REGISTER(name, address, access, what)
+#define PROBE(name, index, stage, what)
 #define EXIT(name, value, what) printf("  %d  %s\n", value, what);
 #include "definitions.def"
 #undef CONSTANT

@@ -78,14 +78,14 @@ static json_t *mesh_of(report *r, const hs_run *run) {
 /* --- Views --------------------------------------------------------------------------------------
  */
 
-static json_t *stages_of(report *r, const hs_run_view *view) {
+static json_t *stages_of(report *r, const hs_run_view *view, const hs_cycle_report *c) {
     static const char *const activity[HS_ACTIVITIES] = {"busy", "starved", "blocked", "idle"};
     json_t *stages = json_object();
     for (uint32_t s = 0; s < HS_STAGES; s++) {
         json_t *stage = json_object();
         for (int a = 0; a < HS_ACTIVITIES; a++)
-            set_count(r, stage, activity[a], view->rtl.activity[s][a]);
-        set_count(r, stage, "items", view->rtl.items_in[s]);
+            set_count(r, stage, activity[a], c->activity[s][a]);
+        set_count(r, stage, "items", c->items_in[s]);
         set_count(r, stage, "bound", view->bound.stage[s]);
         set(r, stages, hs_stage_name(s), stage);
     }
@@ -103,8 +103,9 @@ static json_t *engine_of(report *r, const hs_run_view *view, enum hs_engine engi
     set_count(r, e, "faces", result->faces);
     set_count(r, e, "triangles", result->triangles);
     set_count(r, e, "at_level", result->at_level);
-    const bool timed = engine == HS_ENGINE_rtl;
-    set(r, e, "cycles", timed ? json_integer((json_int_t)view->rtl.cycles) : json_null());
+    const bool timed = hs_engine_timed(engine);
+    const hs_cycle_report *c = &view->cycles[engine];
+    set(r, e, "cycles", timed ? json_integer((json_int_t)c->cycles) : json_null());
     set_text(r, e, "status", hs_status_name(result->status));
     set(r, e, "position",
         result->error_position == HS_NO_POSITION ? json_null()
@@ -115,14 +116,14 @@ static json_t *engine_of(report *r, const hs_run_view *view, enum hs_engine engi
         set_hex(r, e, "digest", result->digest);
     }
     if (timed) {
-        set_count(r, e, "first_out", view->rtl.first_out - view->rtl.start);
-        set(r, e, "first_face", cycles_or_null(view->latency.first_face));
-        set(r, e, "trailer", cycles_or_null(view->latency.trailer));
-        set_count(r, e, "conflicts", view->rtl.conflicts);
+        set_count(r, e, "first_out", c->first_out - c->start);
+        set(r, e, "first_face", cycles_or_null(view->latency[engine].first_face));
+        set(r, e, "trailer", cycles_or_null(view->latency[engine].trailer));
+        set_count(r, e, "conflicts", c->conflicts);
         set(r, e, "ratio",
-            view->bound.total ? json_real((double)view->rtl.cycles / (double)view->bound.total)
+            view->bound.total ? json_real((double)c->cycles / (double)view->bound.total)
                               : json_null());
-        set(r, e, "stages", stages_of(r, view));
+        set(r, e, "stages", stages_of(r, view, c));
     }
     if (engine == HS_ENGINE_reference) {
         json_t *d = json_object();

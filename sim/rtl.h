@@ -6,28 +6,12 @@
 #ifndef HS_RTL_H
 #define HS_RTL_H
 
+#include "cycles.h"
 #include "golden.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-/* Stalls on either side, per cycle, from a seeded generator; 0 and 0: none. */
-typedef struct hs_stalls {
-    uint32_t seed;
-    uint8_t input, output; /* per cent of the cycles in which the side pauses, 0 to 95 */
-} hs_stalls;
-
-/* What one view cost. Counters are differences over the view. */
-typedef struct hs_rtl_report {
-    uint64_t begin;      /* cycle from which hs_rtl_word_cycle and waveforms count */
-    uint64_t start, end; /* cycle of the first beat in, of the last beat out (TLAST) */
-    uint64_t first_out;  /* cycle of the first beat out */
-    uint64_t cycles;     /* end - start + 1 */
-    uint64_t activity[HS_STAGES][HS_ACTIVITIES];
-    uint64_t items_in[HS_STAGES], items_out[HS_STAGES];
-    uint64_t conflicts;
-} hs_rtl_report;
 
 typedef struct hs_rtl hs_rtl;
 
@@ -43,7 +27,10 @@ bool hs_rtl_trace(hs_rtl *rtl, const char *path, uint64_t first, uint64_t last, 
  * breaks a handshake rule, a counter's sum is not the cycles, or it does not answer within a bound
  * derived from the packet. */
 bool hs_rtl_run(hs_rtl *rtl, const hs_packet *in, hs_stalls stalls, hs_packet *out,
-                hs_rtl_report *report, hs_error *err);
+                hs_cycle_report *report, hs_error *err);
+
+/* Has later runs write all their transactions to *log, which each clears first; NULL: none. */
+void hs_rtl_log(hs_rtl *rtl, hs_log *log);
 
 /* Cycles simulated since hs_rtl_new. */
 uint64_t hs_rtl_cycle(const hs_rtl *rtl);

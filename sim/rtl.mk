@@ -20,10 +20,10 @@ $(RUNTIME): $(BUILD)/verilated/%.o:
 # rtl/files.f lists its modules. The waveform writer costs nothing until a file is opened.
 RTL_DIR := $(BUILD)/verilated/halfstep
 
-$(RTL_DIR)/log: rtl/files.f $(wildcard rtl/*.sv)
+$(RTL_DIR)/log: rtl/files.f $(wildcard rtl/*.sv) sim/probes.sv
 	@mkdir -p $(@D)
 	$(VERILATE) --trace-fst --output-split 20000 --Mdir $(@D) --prefix Vhalfstep --top-module halfstep \
-	    -f rtl/files.f >$@.part 2>&1 || { cat $@.part; exit 1; }
+	    -f rtl/files.f sim/probes.sv >$@.part 2>&1 || { cat $@.part; exit 1; }
 	@mv $@.part $@
 
 $(RTL_DIR)/rtl_shim.o: sim/rtl_shim.cpp $(RTL_DIR)/log

@@ -60,7 +60,22 @@ struct hs_rtl {
     snapshot before{};
     std::vector<uint32_t> beat_cycle; /* of the last run: when each beat was taken */
     bool broken = false;              /* the last run failed: reset before the next */
+    hs_log *log = nullptr;
+    uint64_t begin = 0; /* of the last run */
 };
+
+/* The simulation whose transactions are logged: set while it streams a packet. */
+static thread_local hs_rtl *logging;
+
+/* For sim/probes.sv, which calls them at the clock's edge. */
+extern "C" unsigned char hs_probe_on() {
+    return logging != nullptr;
+}
+extern "C" void hs_probe(unsigned probe, unsigned item, unsigned a, unsigned b, unsigned c,
+                         unsigned d) {
+    const uint32_t word[4] = {a, b, c, d};
+    hs_log_add(logging->log, probe, logging->cycle - logging->begin, item, word);
+}
 
 /* --- Cycles -------------------------------------------------------------------------------------
  */
@@ -245,6 +260,10 @@ uint64_t hs_rtl_cycle(const hs_rtl *rtl) {
     return rtl->cycle;
 }
 
+void hs_rtl_log(hs_rtl *rtl, hs_log *log) {
+    rtl->log = log;
+}
+
 uint64_t hs_rtl_word_cycle(const hs_rtl *rtl, size_t word) {
     const size_t beat = word / BEAT_WORDS;
     return beat < rtl->beat_cycle.size() ? rtl->beat_cycle[beat] : UINT64_MAX;
@@ -266,23 +285,6 @@ bool hs_rtl_trace(hs_rtl *rtl, const char *path, uint64_t first, uint64_t last, 
     rtl->trace_last = last;
     return true;
 }
-
-/* --- Pauses
- * --------------------------------------------------------------------------------------- */
-struct pauses {
-    uint64_t state;
-    uint32_t percent;
-    pauses(uint32_t seed, uint32_t side, uint32_t percent)
-        : state((static_cast<uint64_t>(seed) << 8 | side) * 0x9e3779b97f4a7c15u | 1),
-          percent(percent < 95 ? percent : 95) {}
-    bool pause() { /* xorshift64, its upper half as a fraction of 100 */
-        if (percent == 0) return false;
-        state ^= state << 13;
-        state ^= state >> 7;
-        state ^= state << 17;
-        return (state >> 32) * 100 >> 32 < percent;
-    }
-};
 
 /* --- How long a view may take --------------------------------------------------------------------
  *
@@ -407,10 +409,11 @@ static bool check_output(hs_rtl *rtl, const hs_packet *in, const beat &before, b
 
 /* Streams the packet in and the answer out. */
 static bool stream(hs_rtl *rtl, const hs_packet *in, hs_stalls stalls, hs_packet *out,
-                   hs_rtl_report *report, hs_error *err) {
+                   hs_cycle_report *report, hs_error *err) {
     Vhalfstep &top = *rtl->top;
-    pauses input(stalls.seed, 1, stalls.input), output(stalls.seed, 2, stalls.output);
-    const uint64_t begin = rtl->cycle, most = most_cycles(rtl, in, stalls);
+    hs_pauses input = hs_pauses_start(stalls.seed, HS_PAUSES_INPUT, stalls.input);
+    hs_pauses output = hs_pauses_start(stalls.seed, HS_PAUSES_OUTPUT, stalls.output);
+    const uint64_t begin = rtl->begin = rtl->cycle, most = most_cycles(rtl, in, stalls);
     const uint64_t silence = most_silence(rtl);
     watch life(begin);
     beat shown;
@@ -420,13 +423,13 @@ static bool stream(hs_rtl *rtl, const hs_packet *in, hs_stalls stalls, hs_packet
     report->begin = begin;
     report->first_out = 0;
     while (!ended || !taken || !rtl->bus.idle()) {
-        if (!offered && !taken && !input.pause()) {
+        if (!offered && !taken && !hs_pauses_next(&input)) {
             offer(top, in, at);
             offered = true;
             if (at == 0) report->start = rtl->cycle;
         }
         top.s_axis_tvalid = offered;
-        top.m_axis_tready = !output.pause();
+        top.m_axis_tready = !hs_pauses_next(&output);
         if (!ended) life.look(rtl);
         settle(rtl);
 
@@ -490,7 +493,7 @@ static bool rest(hs_rtl *rtl, const hs_packet *in, hs_error *err) {
 
 /* The counters of the view: what they grew by. Idle is what the view's own cycles leave. */
 static bool account(const hs_rtl *rtl, const hs_packet *in, const snapshot &after,
-                    hs_rtl_report *report, hs_error *err) {
+                    hs_cycle_report *report, hs_error *err) {
     const snapshot &before = rtl->before;
     const uint32_t cycles = after.cycles - before.cycles;
     if (cycles != static_cast<uint32_t>(after.when - before.when))
@@ -525,7 +528,7 @@ static bool account(const hs_rtl *rtl, const hs_packet *in, const snapshot &afte
 }
 
 bool hs_rtl_run(hs_rtl *rtl, const hs_packet *in, hs_stalls stalls, hs_packet *out,
-                hs_rtl_report *report, hs_error *err) {
+                hs_cycle_report *report, hs_error *err) {
     std::memset(report, 0, sizeof *report);
     enter(rtl);
     out->view = in->view;
@@ -533,9 +536,11 @@ bool hs_rtl_run(hs_rtl *rtl, const hs_packet *in, hs_stalls stalls, hs_packet *o
     if (rtl->broken && !reset(rtl, err)) return false;
     rtl->broken = true;
     snapshot after;
-    if (!stream(rtl, in, stalls, out, report, err) || !rest(rtl, in, err) ||
-        !take_snapshot(rtl, &after, err))
-        return false;
+    if (rtl->log) hs_log_clear(rtl->log);
+    logging = rtl->log ? rtl : nullptr;
+    const bool streamed = stream(rtl, in, stalls, out, report, err);
+    logging = nullptr;
+    if (!streamed || !rest(rtl, in, err) || !take_snapshot(rtl, &after, err)) return false;
     if (rtl->top->m_axis_tvalid) /* late, when it was at rest already */
         return break_of_rule(rtl, in, "a beat behind the packet's last one", err);
     if (!account(rtl, in, after, report, err)) return false;

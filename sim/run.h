@@ -13,14 +13,14 @@
 
 #include "bound.h"
 #include "compare.h"
+#include "model.h"
 #include "progress.h"
 #include "reference.h"
 #include "rtl.h"
 #include "run_pictures.h"
 #include "view.h"
 
-/* The engines of this program, in the order in which they run. The cycle-level model has its place
- * here; this version does not contain it. */
+/* The engines of this program, in the order in which they run. */
 enum hs_engine {
     HS_ENGINE_reference,
     HS_ENGINE_golden,
@@ -29,6 +29,8 @@ enum hs_engine {
     HS_ENGINES
 };
 const char *hs_engine_name(enum hs_engine engine);
+/* True for model and rtl. */
+bool hs_engine_timed(enum hs_engine engine);
 
 /* Reads a list as in "golden,rtl" into a set of bits 1 << engine (HS_EXIT_USAGE). */
 bool hs_engines_parse(const char *list, uint32_t *engines, hs_error *err);
@@ -63,7 +65,7 @@ typedef struct hs_engine_result {
 /* Two engines compared. It holds if different is 0. */
 typedef struct hs_comparison {
     enum hs_engine a, b;
-    const char *what; /* "words", "faces", "positions", "pixels" */
+    const char *what; /* "words", "transactions", "counters", "faces", "positions", "pixels" */
     uint64_t compared, different;
 } hs_comparison;
 
@@ -85,8 +87,8 @@ typedef struct hs_run_view {
     int32_t exponent;
     size_t words_in;
     hs_bound bound;
-    hs_rtl_report rtl;                 /* if rtl ran */
-    hs_latency latency;                /* of rtl */
+    hs_cycle_report cycles[HS_ENGINES]; /* of those that have a clock: hs_engine_timed */
+    hs_latency latency[HS_ENGINES];
     hs_reference_decisions decisions;  /* if reference ran */
     hs_reference_comparison reference; /* if reference and golden were compared */
     uint32_t comparisons;
@@ -100,7 +102,9 @@ typedef struct hs_run {
     hs_views views;
     uint32_t depth; /* that the views ask for */
     hs_golden *golden;
-    hs_rtl *rtl;               /* NULL unless named */
+    hs_model *model; /* NULL unless named, as the next ones */
+    hs_rtl *rtl;
+    hs_log model_log, rtl_log; /* in use if both are */
     hs_run_pictures *pictures; /* NULL unless there is a folder */
     hs_progress progress;
     FILE *table;       /* what people read: standard output, unless the report goes there */

@@ -16,8 +16,9 @@ static const hs_engine_result *shown_engine(const hs_run_view *view) {
     return &view->engine[HS_ENGINE_reference];
 }
 
-static bool has_rtl(const hs_run *run) {
-    return run->request->engines >> HS_ENGINE_rtl & 1;
+/* The engine whose cycles the table shows: the RTL, or if it does not run, the model. */
+static enum hs_engine timed_engine(const hs_run *run) {
+    return run->request->engines >> HS_ENGINE_rtl & 1 ? HS_ENGINE_rtl : HS_ENGINE_model;
 }
 
 /* --- The table ----------------------------------------------------------------------------------
@@ -57,7 +58,7 @@ typedef struct figures {
 static void print_figures(const hs_run *run, const figures *f) {
     FILE *table = run->table;
     fprintf(table, "%9llu %8llu", (unsigned long long)f->faces, (unsigned long long)f->vertices);
-    if (!has_rtl(run) || !f->cycles) {
+    if (!f->cycles) {
         fprintf(table, " %9s %6s %7s %9llu %5s %4s", "-", "-", "-", (unsigned long long)f->bound,
                 "-", "-");
         return;
@@ -81,13 +82,14 @@ static void print_figures(const hs_run *run, const figures *f) {
 
 void hs_run_table_view(const hs_run *run, const hs_run_view *view) {
     const hs_engine_result *e = shown_engine(view);
+    const enum hs_engine timed = timed_engine(run);
     fprintf(run->table, "%4u ", view->number);
     print_figures(run, &(figures){.faces = e->faces,
                                   .vertices = e->vertices,
-                                  .cycles = view->rtl.cycles,
-                                  .first_face = view->latency.first_face,
+                                  .cycles = view->cycles[timed].cycles,
+                                  .first_face = view->latency[timed].first_face,
                                   .bound = view->bound.total,
-                                  .seconds = view->engine[HS_ENGINE_rtl].seconds});
+                                  .seconds = view->engine[timed].seconds});
     const char *result = view->comparisons ? "equal" : "done";
     const bool equal = hs_run_view_equal(view);
     if (!equal)
@@ -107,24 +109,56 @@ void hs_run_table_view(const hs_run *run, const hs_run_view *view) {
     fflush(run->table);
 }
 
+/* What was compared, of one kind. */
+typedef struct total {
+    uint64_t compared, different;
+    enum hs_engine a, b; /* of the last one, that is, of all */
+    bool pairs;          /* there is more than one pair of engines */
+} total;
+
+static void add(total *t, const hs_comparison *c) {
+    t->pairs = t->pairs || (t->compared && (t->a != c->a || t->b != c->b));
+    t->compared += c->compared;
+    t->different += c->different;
+    t->a = c->a;
+    t->b = c->b;
+}
+
+static void print_total(const hs_run *run, const total *t, const char *what) {
+    if (!t->compared) return;
+    fprintf(run->table, "; ");
+    if (t->different)
+        fprintf(run->table, "%llu of %llu %s ", (unsigned long long)t->different,
+                (unsigned long long)t->compared, what);
+    else
+        fprintf(run->table, "all %llu %s ", (unsigned long long)t->compared, what);
+    if (t->pairs)
+        fprintf(run->table, "%s", t->different ? "differ between engines" : "are equal");
+    else
+        fprintf(run->table, "of %s %s %s's", hs_engine_name(t->b),
+                t->different ? "differ from" : "equal", hs_engine_name(t->a));
+}
+
 void hs_run_table_total(const hs_run *run) {
     figures sum = {.first_face = HS_NO_CYCLE}; /* no sum says anything about latencies */
-    uint64_t other = 0, decided = 0, compared = 0, different = 0;
+    const enum hs_engine timed = timed_engine(run);
+    uint64_t other = 0, decided = 0;
+    total words = {0}, transactions = {0};
     for (uint32_t i = 0; i < run->done; i++) {
         const hs_run_view *view = &run->view[i];
         const hs_engine_result *e = shown_engine(view);
         sum.faces += e->faces;
         sum.vertices += e->vertices;
-        sum.cycles += view->rtl.cycles;
+        sum.cycles += view->cycles[timed].cycles;
         sum.bound += view->bound.total;
-        sum.seconds += view->engine[HS_ENGINE_rtl].seconds;
+        sum.seconds += view->engine[timed].seconds;
         other += view->decisions.refined_different;
         decided += view->decisions.faces;
-        for (uint32_t c = 0; c < view->comparisons; c++)
-            if (strcmp(view->comparison[c].what, "words") == 0) {
-                compared += view->comparison[c].compared;
-                different += view->comparison[c].different;
-            }
+        for (uint32_t c = 0; c < view->comparisons; c++) {
+            if (strcmp(view->comparison[c].what, "words") == 0) add(&words, &view->comparison[c]);
+            if (strcmp(view->comparison[c].what, "transactions") == 0)
+                add(&transactions, &view->comparison[c]);
+        }
     }
     if (run->done > 1) {
         fprintf(run->table, " all ");
@@ -133,11 +167,8 @@ void hs_run_table_total(const hs_run *run) {
     }
     fprintf(run->table, "\n%u view%s in %.1f s", run->done, run->done == 1 ? "" : "s",
             run->seconds);
-    if (compared && different == 0)
-        fprintf(run->table, "; all %llu words of rtl equal golden's", (unsigned long long)compared);
-    else if (compared)
-        fprintf(run->table, "; %llu of %llu words of rtl differ from golden's",
-                (unsigned long long)different, (unsigned long long)compared);
+    print_total(run, &words, "words");
+    print_total(run, &transactions, "transactions");
     fprintf(run->table, "\n");
     double farthest = 0, bound_distance = 0, pixels = 0;
     uint64_t components = 0, equal = 0;
@@ -220,7 +251,7 @@ void hs_run_print_rerun(const hs_run *run, uint32_t number, uint64_t cycle) {
             r->limits.vertices, r->limits.quads);
     if (cycle != UINT64_MAX)
         fprintf(stderr, " --wave view-%03u.fst --wave-cycles %llu:%llu", number,
-                (unsigned long long)(cycle < 2000 ? 0 : cycle - 2000),
+                (unsigned long long)(cycle < 200 ? 0 : cycle - 200),
                 (unsigned long long)(cycle + 200));
     fputc('\n', stderr);
 }

@@ -20,7 +20,7 @@ typedef struct work {
     hs_reference reference;
 } work;
 
-static const enum hs_engine PIPELINES[] = {HS_ENGINE_golden, HS_ENGINE_rtl};
+static const enum hs_engine PIPELINES[] = {HS_ENGINE_golden, HS_ENGINE_model, HS_ENGINE_rtl};
 enum { PIPELINE_COUNT = sizeof PIPELINES / sizeof *PIPELINES };
 
 static bool wants(const work *w, enum hs_engine engine) {
@@ -54,19 +54,41 @@ static bool run_golden(work *w, hs_error *err) {
     return true;
 }
 
-/* Of the first record of a kind. */
-static uint64_t record_latency(const work *w, uint32_t kind) {
-    const hs_packet *packet = &w->packet[HS_ENGINE_rtl];
-    const hs_rtl_report *rtl = &w->view->rtl;
+/* From the packet's first beat to the beat with its first record of a kind. */
+static uint64_t record_latency(const work *w, enum hs_engine engine, uint32_t kind) {
+    const hs_packet *packet = &w->packet[engine];
+    const hs_cycle_report *c = &w->view->cycles[engine];
     for (size_t at = 0; at + 4 <= packet->words; at += 4)
-        if (packet->word[at] >> 20 == hs_tag(kind, 0) >> 20)
-            return rtl->begin + hs_rtl_word_cycle(w->run->rtl, at) - rtl->start;
+        if (packet->word[at] >> 20 == hs_tag(kind, 0) >> 20) {
+            const uint64_t cycle = engine == HS_ENGINE_model
+                                       ? hs_model_word_cycle(w->run->model, at)
+                                       : hs_rtl_word_cycle(w->run->rtl, at);
+            return c->begin + cycle - c->start;
+        }
     return HS_NO_CYCLE;
 }
 
-static void measure_latency(work *w) {
-    w->view->latency.first_face = record_latency(w, HS_RECORD_FACE);
-    w->view->latency.trailer = record_latency(w, HS_RECORD_TRAILER);
+static void measure_latency(work *w, enum hs_engine engine) {
+    w->view->latency[engine].first_face = record_latency(w, engine, HS_RECORD_FACE);
+    w->view->latency[engine].trailer = record_latency(w, engine, HS_RECORD_TRAILER);
+}
+
+/* Whether transactions are logged and compared: a run of model and rtl both. */
+static bool compares_cycles(const work *w) {
+    return wants(w, HS_ENGINE_model) && wants(w, HS_ENGINE_rtl);
+}
+
+static bool run_model(work *w, hs_error *err) {
+    hs_golden_report ignored;
+    hs_run *run = w->run;
+    const double start = hs_seconds();
+    if (!hs_model_run(run->model, &w->in, run->request->stalls, &w->packet[HS_ENGINE_model],
+                      &ignored, &w->view->cycles[HS_ENGINE_model],
+                      compares_cycles(w) ? &run->model_log : NULL, err))
+        return false;
+    w->view->engine[HS_ENGINE_model].seconds = hs_seconds() - start;
+    measure_latency(w, HS_ENGINE_model);
+    return true;
 }
 
 static bool run_rtl(work *w, hs_error *err) {
@@ -79,9 +101,10 @@ static bool run_rtl(work *w, hs_error *err) {
                           err))
             return false;
     }
+    hs_rtl_log(w->run->rtl, compares_cycles(w) ? &w->run->rtl_log : NULL);
     const double start = hs_seconds();
     const bool good = hs_rtl_run(w->run->rtl, &w->in, request->stalls, &w->packet[HS_ENGINE_rtl],
-                                 &w->view->rtl, err);
+                                 &w->view->cycles[HS_ENGINE_rtl], err);
     w->view->engine[HS_ENGINE_rtl].seconds = hs_seconds() - start;
     if (request->wave) {
         char partial[4096];
@@ -92,7 +115,7 @@ static bool run_rtl(work *w, hs_error *err) {
                            request->wave);
     }
     if (!good) hs_run_print_rerun(w->run, w->view->number, hs_rtl_cycle(w->run->rtl) - now);
-    measure_latency(w);
+    measure_latency(w, HS_ENGINE_rtl);
     return good;
 }
 
@@ -160,23 +183,66 @@ static void add_comparison(hs_run_view *view, enum hs_engine a, enum hs_engine b
     view->comparison[view->comparisons++] = (hs_comparison){a, b, what, compared, different};
 }
 
-static bool compare_words(work *w) {
-    const hs_packet *golden = &w->packet[HS_ENGINE_golden], *rtl = &w->packet[HS_ENGINE_rtl];
-    const hs_word_comparison words = hs_compare_words(golden, rtl);
-    add_comparison(w->view, HS_ENGINE_golden, HS_ENGINE_rtl, "words", words.compared,
-                   words.different);
+/* The cycle in which a pipeline's word left; UINT64_MAX: it has no clock, or sent no such word. */
+static uint64_t word_cycle(const work *w, enum hs_engine engine, size_t word) {
+    return engine == HS_ENGINE_rtl     ? hs_rtl_word_cycle(w->run->rtl, word)
+           : engine == HS_ENGINE_model ? hs_model_word_cycle(w->run->model, word)
+                                       : UINT64_MAX;
+}
+
+/* The output words of two pipelines. */
+static bool compare_words(work *w, enum hs_engine a, enum hs_engine b) {
+    const hs_packet *expected = &w->packet[a], *actual = &w->packet[b];
+    const hs_word_comparison words = hs_compare_words(expected, actual);
+    add_comparison(w->view, a, b, "words", words.compared, words.different);
     if (words.different == 0) return true;
     char text[500];
-    hs_compare_describe(golden, rtl, words.first, "rtl", text, sizeof text);
-    const uint64_t cycle = hs_rtl_word_cycle(w->run->rtl, words.first);
+    hs_compare_describe(expected, actual, words.first, hs_engine_name(b), text, sizeof text);
+    const uint64_t cycle = word_cycle(w, b, words.first);
     hs_progress_clear(&w->run->progress);
-    fprintf(stderr, "view %u: rtl and golden differ in %llu of %llu words, first in\n  %s\n",
-            w->view->number, (unsigned long long)words.different,
-            (unsigned long long)words.compared, text);
+    fprintf(stderr, "view %u: %s and %s differ in %llu of %llu words, first in\n  %s\n",
+            w->view->number, hs_engine_name(b), hs_engine_name(a),
+            (unsigned long long)words.different, (unsigned long long)words.compared, text);
     if (cycle != UINT64_MAX)
         fprintf(stderr, "  which left in cycle %llu of the view\n", (unsigned long long)cycle);
     hs_run_print_rerun(w->run, w->view->number, cycle);
     return false;
+}
+
+/* The words of each pipeline against those of the first one that was named. */
+static bool compare_pipelines(work *w) {
+    enum hs_engine first = HS_ENGINES;
+    bool equal = true;
+    for (int i = 0; i < PIPELINE_COUNT; i++) {
+        if (!wants(w, PIPELINES[i])) continue;
+        if (first == HS_ENGINES)
+            first = PIPELINES[i];
+        else
+            equal = compare_words(w, first, PIPELINES[i]) && equal;
+    }
+    return equal;
+}
+
+/* Model and RTL: every transaction at every stage boundary, and every counter. */
+static void compare_cycles(work *w) {
+    hs_run_view *view = w->view;
+    const hs_log_comparison c = hs_log_compare(&w->run->rtl_log, "rtl", &w->run->model_log, "model",
+                                               accepted(&w->golden) ? 0 : HS_LOG_DATA_OF_REFUSED);
+    char counter[200];
+    const bool counted = hs_cycle_report_equal(
+        &view->cycles[HS_ENGINE_rtl], &view->cycles[HS_ENGINE_model], counter, sizeof counter);
+    add_comparison(view, HS_ENGINE_model, HS_ENGINE_rtl, "transactions", c.compared, c.different);
+    add_comparison(view, HS_ENGINE_model, HS_ENGINE_rtl, "counters",
+                   (uint64_t)HS_STAGES * (HS_ACTIVITIES + 2) + 4, !counted);
+    if (c.different == 0 && counted) return;
+    hs_progress_clear(&w->run->progress);
+    if (c.different)
+        fprintf(
+            stderr, "view %u: rtl and model differ in %llu of %llu transactions, first in\n  %s\n",
+            view->number, (unsigned long long)c.different, (unsigned long long)c.compared, c.text);
+    if (!counted)
+        fprintf(stderr, "view %u: rtl and model count differently: %s\n", view->number, counter);
+    hs_run_print_rerun(w->run, view->number, c.different ? c.cycle : UINT64_MAX);
 }
 
 static void compare_reference(work *w) {
@@ -275,16 +341,18 @@ static bool work_on(work *w, hs_error *err) {
     view->words_in = w->in.words;
     if (!run_golden(w, err)) return false;
     if (wants(w, HS_ENGINE_golden) && !finish_pipeline(w, HS_ENGINE_golden, err)) return false;
-    if (wants(w, HS_ENGINE_rtl)) {
-        if (!run_rtl(w, err)) return false;
-        if (wants(w, HS_ENGINE_golden) && !compare_words(w)) {
-            /* What differs may be no packet at all; what it counts is told all the same. */
-            hs_error ignored;
-            finish_pipeline(w, HS_ENGINE_rtl, &ignored);
-            return true;
-        }
-        if (!finish_pipeline(w, HS_ENGINE_rtl, err)) return false;
+    if (wants(w, HS_ENGINE_model) &&
+        (!run_model(w, err) || !finish_pipeline(w, HS_ENGINE_model, err)))
+        return false;
+    if (wants(w, HS_ENGINE_rtl) && !run_rtl(w, err)) return false;
+    if (compares_cycles(w)) compare_cycles(w);
+    if (!compare_pipelines(w)) {
+        /* What differs may be no packet at all; what it counts is told all the same. */
+        hs_error ignored;
+        finish_pipeline(w, HS_ENGINE_rtl, &ignored);
+        return true;
     }
+    if (wants(w, HS_ENGINE_rtl) && !finish_pipeline(w, HS_ENGINE_rtl, err)) return false;
     if (wants(w, HS_ENGINE_reference)) {
         if (!run_reference(w, err)) return false;
         if (wants(w, HS_ENGINE_golden) && accepted(&w->golden)) compare_reference(w);

@@ -238,7 +238,7 @@ void hs_trace_free(hs_trace *trace) {
  */
 
 static json_t *expect_view(const hs_packet *packet, const hs_golden_report *golden,
-                           const hs_rtl_report *rtl) {
+                           const hs_cycle_report *rtl) {
     char digest[11];
     snprintf(digest, sizeof digest, "0x%08x", hs_packet_crc(packet));
     return json_pack(
@@ -256,7 +256,7 @@ static bool expect_one(const hs_trace *trace, const char *folder, hs_golden *gol
                        const hs_packet *in, json_t *views, hs_error *err) {
     hs_packet wanted = {0}, sent = {0};
     hs_golden_report golden_report;
-    hs_rtl_report rtl_report;
+    hs_cycle_report rtl_report;
     bool good = hs_golden_run(golden, in, &wanted, &golden_report, err) &&
                 hs_rtl_run(rtl, in, trace->stalls, &sent, &rtl_report, err);
     if (good) {

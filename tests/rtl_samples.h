@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
- * What the tests of the whole RTL share: a bench that streams a packet through the RTL and through
- * golden and compares every word, sixteen views of a mesh, and small meshes.
+ * What the tests of the whole RTL share: a bench that streams a packet through the RTL, golden and
+ * the cycle-level model and compares every word, every transaction at every stage boundary and
+ * every counter; sixteen views of a mesh, and small meshes.
  */
 #ifndef HS_TESTS_RTL_SAMPLES_H
 #define HS_TESTS_RTL_SAMPLES_H
@@ -20,6 +21,7 @@
 
 #include "compare.h"
 #include "mesh.h"
+#include "model.h"
 #include "rtl.h"
 #include "shape.h"
 #include "view.h"
@@ -33,10 +35,13 @@ static const hs_stalls no_stalls = {0};
 typedef struct bench {
     hs_rtl *rtl;
     hs_golden *golden;
-    hs_packet in, expected, actual;
-    hs_golden_report golden_report;
-    hs_rtl_report rtl_report;
-    uint64_t views, words; /* compared so far */
+    hs_model *model;
+    hs_packet in, expected, actual, modelled;
+    hs_golden_report golden_report, modelled_report;
+    hs_cycle_report rtl_report, model_report;
+    hs_log rtl_log, model_log;
+    uint64_t views, words, transactions, cycles; /* compared so far; cycles of the RTL */
+    uint64_t passed[HS_PROBES];                  /* transactions, by boundary */
 } bench;
 
 static inline bench *new_bench(hs_limits limits, uint32_t seed) {
@@ -47,15 +52,22 @@ static inline bench *new_bench(hs_limits limits, uint32_t seed) {
     assert_non_null(b->golden);
     b->rtl = hs_rtl_new(limits, seed, &err);
     if (!b->rtl) fail_msg("%s", err.text);
+    b->model = hs_model_new(limits, HS_DEFAULT_CONFIG, &err);
+    if (!b->model) fail_msg("%s", err.text);
+    hs_rtl_log(b->rtl, &b->rtl_log);
     return b;
 }
 
 static inline void free_bench(bench *b) {
     hs_rtl_free(b->rtl);
     hs_golden_free(b->golden);
+    hs_model_free(b->model);
     hs_packet_free(&b->in);
     hs_packet_free(&b->expected);
     hs_packet_free(&b->actual);
+    hs_packet_free(&b->modelled);
+    hs_log_free(&b->rtl_log);
+    hs_log_free(&b->model_log);
     free(b);
 }
 
@@ -93,7 +105,44 @@ static inline void keep_failed_packet(const hs_packet *in) {
     fclose(file);
 }
 
-/* Streams a packet through both engines. False, with the place and both words, on a difference. */
+/* Compares what the model makes of the packet with what the RTL just did. */
+static inline bool same_cycles(bench *b, const hs_packet *in, hs_stalls stalls, const char *what,
+                               char *text, size_t size) {
+    hs_error err;
+    if (!hs_model_run(b->model, in, stalls, &b->modelled, &b->modelled_report, &b->model_report,
+                      &b->model_log, &err)) {
+        snprintf(text, size, "%s: model: %s", what, err.text);
+        return false;
+    }
+    const bool refused = b->golden_report.status > HS_STATUS_STOPPED;
+    const hs_log_comparison c = hs_log_compare(&b->rtl_log, "rtl", &b->model_log, "model",
+                                               refused ? HS_LOG_DATA_OF_REFUSED : 0);
+    b->transactions += c.compared;
+    b->cycles += b->rtl_report.cycles;
+    for (uint32_t i = 0; i < HS_PROBES; i++)
+        b->passed[i] += b->rtl_log.probe[i].count;
+    if (c.different) {
+        keep_failed_packet(in);
+        snprintf(text, size,
+                 "%s: %llu of %llu transactions differ; the earliest: %s (packet in " FAILED_PACKET
+                 ")",
+                 what, (unsigned long long)c.different, (unsigned long long)c.compared, c.text);
+        return false;
+    }
+    char counter[200];
+    if (!hs_cycle_report_equal(&b->rtl_report, &b->model_report, counter, sizeof counter)) {
+        keep_failed_packet(in);
+        snprintf(text, size,
+                 "%s: rtl and model count differently: %s (packet in " FAILED_PACKET ")", what,
+                 counter);
+        return false;
+    }
+    if (hs_compare_words(&b->actual, &b->modelled).different == 0) return true;
+    snprintf(text, size, "%s: the words of the model are not the RTL's", what);
+    return false;
+}
+
+/* Streams a packet through all engines. False, with the place and both words, on a difference. */
 static inline bool same_words(bench *b, const hs_packet *in, hs_stalls stalls, const char *what,
                               char *text, size_t size) {
     hs_error err;
@@ -110,7 +159,7 @@ static inline bool same_words(bench *b, const hs_packet *in, hs_stalls stalls, c
     const hs_word_comparison c = hs_compare_words(&b->expected, &b->actual);
     b->views++;
     b->words += c.compared;
-    if (c.different == 0) return true;
+    if (c.different == 0) return same_cycles(b, in, stalls, what, text, size);
     char place[500];
     hs_compare_describe(&b->expected, &b->actual, c.first, "rtl", place, sizeof place);
     keep_failed_packet(in);

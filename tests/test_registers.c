@@ -36,6 +36,7 @@ static const struct {
 #define STAGE(name, index, what)
 #define ACTIVITY(name, index, what)
 #define REGISTER(name, address, access, what) {address, access},
+#define PROBE(name, index, stage, what)
 #define EXIT(name, value, what)
 #include "definitions.def"
 };

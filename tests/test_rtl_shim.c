@@ -36,7 +36,7 @@ static void a_sound_pipeline_passes_with_any_stalls(void **state) {
     (void)state;
     hs_rtl *rtl = new_sound_rtl();
     hs_packet in = {0}, out = {0};
-    hs_rtl_report report;
+    hs_cycle_report report;
     hs_error err;
     make_packet(&in);
     for (uint32_t i = 0; i < 20; i++) {
@@ -95,7 +95,7 @@ static void every_fault_of_a_run_is_named_and_the_next_run_is_sound(void **state
     (void)state;
     hs_rtl *rtl = new_sound_rtl();
     hs_packet in = {0}, out = {0};
-    hs_rtl_report report;
+    hs_cycle_report report;
     hs_error err;
     make_packet(&in);
     const hs_stalls stalls = {.seed = 3, .input = 20, .output = 90}; /* so that beats wait */
@@ -138,7 +138,7 @@ static void two_simulations_keep_their_errors_apart(void **state) {
     (void)state;
     hs_rtl *first = new_sound_rtl(), *second = new_sound_rtl();
     hs_packet in = {0}, out = {0};
-    hs_rtl_report report;
+    hs_cycle_report report;
     hs_error err;
     make_packet(&in);
     planted_fault = FAULT_ASSERTION;
@@ -160,7 +160,7 @@ static void a_wrong_word_is_found_and_described(void **state) {
     (void)state;
     hs_rtl *rtl = new_sound_rtl();
     hs_packet in = {0}, out = {0};
-    hs_rtl_report report;
+    hs_cycle_report report;
     hs_error err;
     make_packet(&in);
     planted_fault = FAULT_WORD;

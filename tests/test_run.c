@@ -10,6 +10,7 @@
 #include "bound.h"
 #include "commands.h"
 #include "definitions.h"
+#include "model.h"
 #include "rtl.h"
 
 /* --- An rtl with a defect
@@ -24,10 +25,13 @@ static struct {
     uint32_t runs;
     hs_stalls stalls;
     uint64_t wave_first, wave_last;
+    uint64_t late; /* cycles by which a transaction of the view is late */
 } defect;
 
 struct hs_rtl {
     hs_golden *golden;
+    hs_model *model; /* plays the RTL when transactions are compared */
+    hs_log *log;
     size_t words;
 };
 
@@ -43,7 +47,27 @@ hs_rtl *hs_rtl_new(hs_limits limits, uint32_t seed, hs_error *err) {
 void hs_rtl_free(hs_rtl *rtl) {
     if (!rtl) return;
     hs_golden_free(rtl->golden);
+    hs_model_free(rtl->model);
     free(rtl);
+}
+
+void hs_rtl_log(hs_rtl *rtl, hs_log *log) {
+    rtl->log = log;
+}
+
+/* The model with a transaction that comes late, or with a cycle more in a counter. */
+static bool run_logged(hs_rtl *rtl, const hs_packet *in, hs_stalls stalls, hs_packet *out,
+                       hs_cycle_report *report, hs_error *err) {
+    hs_golden_report golden;
+    if (!rtl->model) rtl->model = hs_model_new(HS_DEFAULT_LIMITS, HS_DEFAULT_CONFIG, err);
+    if (!hs_model_run(rtl->model, in, stalls, out, &golden, report, rtl->log, err)) return false;
+    rtl->words = out->words;
+    if (in->view != defect.view) return true;
+    if (defect.late)
+        rtl->log->probe[HS_PROBE_split_out].transaction[3].cycle += defect.late;
+    else
+        report->activity[HS_STAGE_guard][HS_ACTIVITY_busy]++;
+    return true;
 }
 
 bool hs_rtl_trace(hs_rtl *rtl, const char *path, uint64_t first, uint64_t last, hs_error *err) {
@@ -57,9 +81,10 @@ bool hs_rtl_trace(hs_rtl *rtl, const char *path, uint64_t first, uint64_t last, 
 }
 
 bool hs_rtl_run(hs_rtl *rtl, const hs_packet *in, hs_stalls stalls, hs_packet *out,
-                hs_rtl_report *report, hs_error *err) {
+                hs_cycle_report *report, hs_error *err) {
     hs_golden_report golden;
-    *report = (hs_rtl_report){.begin = 1000, .start = 1100, .cycles = 1000};
+    if (rtl->log) return run_logged(rtl, in, stalls, out, report, err);
+    *report = (hs_cycle_report){.begin = 1000, .start = 1100, .cycles = 1000};
     defect.runs++;
     defect.stalls = stalls;
     if (!hs_golden_run(rtl->golden, in, out, &golden, err)) return false;
@@ -125,7 +150,7 @@ static void assert_said(const char *text) {
 static void latencies_count_from_the_first_beat_in(void **state) {
     (void)state;
     defect.view = UINT32_MAX;
-    char line[] = "run shape:cube --uniform 0 --json -", text[80];
+    char line[] = "run shape:cube --engine golden,rtl --uniform 0 --json -", text[80];
     assert_int_equal(run(line), HS_EXIT_OK);
     const unsigned first_face = 4 + 2 * 20, trailer = first_face + 6 * 4;
     snprintf(text, sizeof text, "\"first_face\": %d,", CYCLES_PER_WORD * (int)first_face - 100);
@@ -140,7 +165,7 @@ static void a_difference_names_view_place_word_and_both_values(void **state) {
     (void)state;
     defect.view = 1;
     defect.word = 501;
-    char line[] = "run shape:cube --orbit 3 --stalls 10,20 --seed 9";
+    char line[] = "run shape:cube --engine golden,rtl --orbit 3 --stalls 10,20 --seed 9";
     assert_int_equal(run(line), HS_EXIT_DIFFERENT);
     assert_said("view 1: rtl and golden differ in 1 of 7024 words");
     assert_said("word 501, face ");
@@ -156,7 +181,8 @@ static void the_printed_command_runs_just_that_view_again(void **state) {
     folder place = make_folder();
     defect.view = 1;
     defect.word = 501;
-    char line[] = "run shape:cube --orbit 3 --stalls 10,20 --seed 9 --front 3 --guard 0";
+    char line[] =
+        "run shape:cube --engine golden,rtl --orbit 3 --stalls 10,20 --seed 9 --front 3 --guard 0";
     assert_int_equal(run(line), HS_EXIT_DIFFERENT);
     char *command = strstr(said, "build/halfstep run ");
     assert_non_null(command);
@@ -185,11 +211,31 @@ static void a_packet_that_ends_early_differs_where_it_ends(void **state) {
     defect.view = 0;
     defect.word = 400;
     defect.cut = true;
-    char line[] = "run shape:cube";
+    char line[] = "run shape:cube --engine golden,rtl";
     assert_int_equal(run(line), HS_EXIT_DIFFERENT);
     assert_said("word 400, ");
     assert_said("rtl sent nothing");
     defect.cut = false;
+}
+
+static void a_late_transaction_is_named_with_the_command_that_shows_it(void **state) {
+    (void)state;
+    defect.view = 1;
+    defect.late = 2;
+    char line[] = "run shape:cube --orbit 2 --engine model,rtl";
+    assert_int_equal(run(line), HS_EXIT_DIFFERENT);
+    assert_said("view 1: rtl and model differ in 1 of ");
+    assert_said("stage split, split_out, transaction 3; rtl: cycle ");
+    assert_said("--view 1 ");
+    assert_said("--wave view-001.fst --wave-cycles ");
+    defect.late = 0;
+    char again[] = "run shape:cube --orbit 2 --engine golden,model,rtl";
+    assert_int_equal(run(again), HS_EXIT_DIFFERENT);
+    assert_said("view 1: rtl and model count differently: guard busy: ");
+    defect.view = UINT32_MAX;
+    char good[] = "run shape:cube --orbit 2 --engine golden,model,rtl";
+    assert_int_equal(run(good), HS_EXIT_OK);
+    assert_said("transactions of rtl equal model's");
 }
 
 static void golden_alone_finds_nothing_wrong(void **state) {
@@ -271,6 +317,7 @@ int main(void) {
         cmocka_unit_test(a_difference_names_view_place_word_and_both_values),
         cmocka_unit_test(the_printed_command_runs_just_that_view_again),
         cmocka_unit_test(a_packet_that_ends_early_differs_where_it_ends),
+        cmocka_unit_test(a_late_transaction_is_named_with_the_command_that_shows_it),
         cmocka_unit_test(golden_alone_finds_nothing_wrong),
         cmocka_unit_test(rtl_alone_has_to_send_a_packet_in_order),
         cmocka_unit_test(the_bound_of_uniform_runs_tends_to_5_3_and_7_3),

@@ -1,0 +1,214 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * The cycle-level model: golden works, and whenever it has done a stage's work, the stage's file
+ * says when the RTL does it. What starts when is rtl/sequencer.sv's order.
+ */
+#include <stdlib.h>
+#include <string.h>
+
+#include "model_parts.h"
+
+void hs_account(hs_model *m, uint32_t stage, hs_time kick, hs_time last, uint64_t busy,
+                uint64_t blocked) {
+    hs_cycle_report *r = m->report;
+    r->activity[stage][HS_ACTIVITY_busy] += busy;
+    r->activity[stage][HS_ACTIVITY_blocked] += blocked;
+    r->activity[stage][HS_ACTIVITY_starved] += last - kick - busy - blocked;
+    r->items_in[stage] += busy;
+    r->items_out[stage] += busy;
+}
+
+void hs_log_item(hs_model *m, uint32_t probe, hs_time t, const hs_state *s, uint32_t item) {
+    if (!m->log) return;
+    const uint32_t *origin = hs_item_origins(s, item), lanes = hs_item_lanes(s, item);
+    uint32_t word[4];
+    for (int i = 0; i < HS_LANES; i++)
+        word[i] = lanes >> i & 1 ? origin[i] : UINT32_MAX;
+    hs_log_add(m->log, probe, t, item, word);
+}
+
+/* --- The sequencer ------------------------------------------------------------------------------
+ */
+
+static void log_kick(hs_model *m, uint32_t stage, const hs_state *s) {
+    hs_log_words(m, HS_PROBE_kick, m->now, stage, s->generation, hs_items(s), s->vertices, 0);
+}
+
+/* A stage that works now; the next one starts in the cycle behind the one in which it is seen at
+ * rest. */
+static void run_stage(hs_model *m, uint32_t stage, const hs_state *s,
+                      hs_time (*cycles)(hs_model *, const hs_state *, hs_time)) {
+    log_kick(m, stage, s);
+    m->now = cycles(m, s, m->now) + 1;
+}
+
+static void send_control(hs_model *m, uint32_t kind) {
+    const hs_op op = {.kind = kind};
+    m->now = hs_emit_op(m, m->now, &op) + 1;
+}
+
+/* Whether smooth is left out: an even step of a uniform run without borders, but the last ones. */
+static bool smooth_idle(const hs_model *m, const hs_state *s) {
+    const bool last = !s->settings.limit && s->generation + 1 == s->depth;
+    return s->settings.uniform && (m->closed || s->settings.boundary != HS_BOUNDARY_KEPT) &&
+           !hs_odd_step(s) && !last && !m->ends;
+}
+
+static void entered(void *context, const hs_state *s) {
+    hs_model *m = context;
+    if (s->generation) return;
+    m->entered = true;
+    m->closed = s->boundary == 0;
+    for (uint32_t h = 0; h < s->halfedges && m->closed; h++)
+        m->closed = s->twin[h] != HS_BORDER;
+    m->now = hs_cycles_receive(m, s) + 1;
+}
+
+static bool keep_sent(hs_model *m, const hs_state *s) {
+    if (s->vertices > m->sent_room) {
+        const size_t room = s->vertices + (size_t)s->vertices / 2;
+        uint8_t *more = realloc(m->sent, room);
+        if (!more) return false;
+        m->sent = more;
+        m->sent_room = room;
+    }
+    memcpy(m->sent, s->sent, s->vertices);
+    return true;
+}
+
+static void decided(void *context, const hs_state *s) {
+    hs_model *m = context;
+    const bool first = s->generation == 0, uniform = s->settings.uniform;
+    m->ends = s->generation >= s->depth;
+    if (!keep_sent(m, s)) {
+        m->exhausted = true;
+        return;
+    }
+    run_stage(m, HS_STAGE_classify, s, hs_cycles_classify);
+    if (first) send_control(m, HS_OP_HEADER);
+    if (!m->ends && !uniform) run_stage(m, HS_STAGE_select, s, hs_cycles_select);
+    if (!m->ends && (first || !uniform) && s->selected)
+        run_stage(m, HS_STAGE_guard, s, hs_cycles_guard);
+    m->has_smooth = first || !uniform || !smooth_idle(m, s) || s->status == HS_STATUS_STOPPED;
+    if (m->has_smooth) run_stage(m, HS_STAGE_smooth, s, hs_cycles_smooth);
+}
+
+/* What smooth's writes hold is known when golden's smooth is done. */
+static void smoothed(void *context, const hs_state *s) {
+    hs_model *m = context;
+    if (!m->log || !m->has_smooth) return;
+    hs_log *log = m->log;
+    hs_transaction *t = log->probe[HS_PROBE_smooth_out].transaction;
+    for (size_t i = m->smooth_logged; i < log->probe[HS_PROBE_smooth_out].count; i++)
+        if (t[i].word[0] & 1)
+            for (int k = 0; k < 3; k++)
+                t[i].word[1 + k] = (uint32_t)s->position[t[i].item][k];
+    m->smooth_logged = log->probe[HS_PROBE_smooth_out].count;
+}
+
+static void divided(void *context, const hs_state *s) {
+    hs_model *m = context;
+    run_stage(m, HS_STAGE_split, s, hs_cycles_split);
+    if (!s->finish && !s->last) m->now++; /* the sequencer's NEXT */
+}
+
+/* A packet that golden refused: the RTL finds an error of its topology while it classifies. */
+static void refused(hs_model *m, const hs_state *s) {
+    m->now = hs_cycles_receive(m, s) + 1;
+    if (s->parsed) {
+        hs_log *log = m->log;
+        log_kick(m, HS_STAGE_classify, s);
+        m->log = NULL; /* golden has not computed what passes */
+        m->now = hs_cycles_classify(m, s, m->now) + 1;
+        m->log = log;
+    }
+    send_control(m, HS_OP_HEADER);
+}
+
+/* --- The interface ------------------------------------------------------------------------------
+ */
+
+hs_model *hs_model_new(hs_limits limits, hs_model_config config, hs_error *err) {
+    const uint32_t port = config.port_records;
+    if (config.bank_bits < 1 || config.bank_bits > 4 || config.window_bits < 1 ||
+        config.window_bits > 5 || (port != 1 && port != 2 && port != 4)) {
+        hs_fail(err, HS_EXIT_USAGE,
+                "the model has 2 to 16 banks, windows of 2 to 32 items, and 1, 2 or 4 records in a "
+                "beat");
+        return NULL;
+    }
+    hs_model *m = calloc(1, sizeof *m);
+    if (m) m->golden = hs_golden_new(limits);
+    if (!m || !m->golden) {
+        hs_model_free(m);
+        hs_fail(err, HS_EXIT_INTERNAL, "no memory for the model");
+        return NULL;
+    }
+    m->config = config;
+    const hs_observer observer = {.context = m,
+                                  .entered = entered,
+                                  .decided = decided,
+                                  .smoothed = smoothed,
+                                  .divided = divided};
+    hs_golden_observe(m->golden, &observer);
+    return m;
+}
+
+void hs_model_free(hs_model *m) {
+    if (!m) return;
+    hs_golden_free(m->golden);
+    free(m->sent);
+    free(m->emit.ready);
+    free(m->emit.beat_cycle);
+    free(m);
+}
+
+/* Idle is what the view's own cycles leave. */
+static void complete(hs_cycle_report *r) {
+    r->cycles = r->end - r->start + 1;
+    for (uint32_t s = 0; s < HS_STAGES; s++) {
+        uint64_t *activity = r->activity[s];
+        activity[HS_ACTIVITY_idle] = r->cycles - activity[HS_ACTIVITY_busy] -
+                                     activity[HS_ACTIVITY_starved] - activity[HS_ACTIVITY_blocked];
+    }
+}
+
+/* What the beats held is known when the packet is complete. */
+static void log_beats(hs_model *m, const hs_packet *out) {
+    const size_t beat_words = 4 * (size_t)m->config.port_records;
+    if (!m->log) return;
+    for (size_t b = 0; b < m->emit.beats; b++) {
+        uint32_t word[4] = {0};
+        for (size_t i = b * beat_words; i < (b + 1) * beat_words && i < out->words; i++)
+            word[i % 4] ^= out->word[i];
+        hs_log_add(m->log, HS_PROBE_beat_out, m->emit.beat_cycle[b], (uint32_t)b, word);
+    }
+}
+
+bool hs_model_run(hs_model *m, const hs_packet *in, hs_stalls stalls, hs_packet *out,
+                  hs_golden_report *report, hs_cycle_report *cycles, hs_log *log, hs_error *err) {
+    *cycles = (hs_cycle_report){0};
+    m->in = in;
+    m->stalls = stalls;
+    m->report = cycles;
+    m->log = log;
+    m->entered = m->exhausted = false;
+    m->smooth_logged = 0;
+    if (log) hs_log_clear(log);
+    hs_golden_mark_always(m->golden, log != NULL);
+    hs_emit_begin(m);
+    if (!hs_golden_run(m->golden, in, out, report, err)) return false;
+    if (!m->entered) refused(m, hs_golden_state(m->golden));
+    send_control(m, HS_OP_TRAILER);
+    hs_emit_end(m);
+    complete(cycles);
+    log_beats(m, out);
+    if (m->exhausted || m->emit.exhausted)
+        return hs_fail(err, HS_EXIT_INTERNAL, "view %u: out of memory in the model", in->view);
+    return true;
+}
+
+uint64_t hs_model_word_cycle(const hs_model *m, size_t word) {
+    const size_t beat = word / (4 * (size_t)m->config.port_records);
+    return beat < m->emit.beats ? m->emit.beat_cycle[beat] : UINT64_MAX;
+}

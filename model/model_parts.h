@@ -1,0 +1,232 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * What the stages of the cycle-level model share. A time is the number of a cycle. A transaction
+ * happens in the cycle in which valid and ready are set; what a register got in cycle t is seen
+ * from t + 1 on. Each file X_cycles.c stands for rtl/X.sv and the modules below it, and computes
+ * the times of its items in their order from the times of those before: docs/timing.md.
+ */
+#ifndef HS_MODEL_PARTS_H
+#define HS_MODEL_PARTS_H
+
+#include "golden_state.h"
+#include "model.h"
+
+typedef uint64_t hs_time;
+
+static inline hs_time hs_later(hs_time a, hs_time b) {
+    return a > b ? a : b;
+}
+
+/* --- fifo.sv, fold.sv: a stall by how full a queue is -------------------------------------------
+ *
+ * The level that a cycle sees counts what came in and went out in earlier cycles. Whoever asks does
+ * so at times that never fall. Items that have not gone out yet, as far as is known, are inside.
+ */
+enum {
+    HS_QUEUE_RING = 1024
+}; /* a power of two, more than any queue and what is on its way to it */
+
+typedef struct hs_queue {
+    uint32_t most; /* the level up to which there is no stall */
+    uint32_t ins, outs, ins_seen, outs_seen;
+    hs_time in[HS_QUEUE_RING], out[HS_QUEUE_RING];
+} hs_queue;
+
+static inline void hs_queue_clear(hs_queue *q, uint32_t most) {
+    q->most = most;
+    q->ins = q->outs = q->ins_seen = q->outs_seen = 0;
+}
+
+static inline void hs_queue_in(hs_queue *q, hs_time t) {
+    q->in[q->ins++ % HS_QUEUE_RING] = t;
+}
+
+static inline void hs_queue_out(hs_queue *q, hs_time t) {
+    q->out[q->outs++ % HS_QUEUE_RING] = t;
+}
+
+/* The first cycle from t on that sees no more than `most` items inside. */
+static inline hs_time hs_queue_wait(hs_queue *q, hs_time t) {
+    for (;;) {
+        while (q->ins_seen != q->ins && q->in[q->ins_seen % HS_QUEUE_RING] < t)
+            q->ins_seen++;
+        while (q->outs_seen != q->outs && q->out[q->outs_seen % HS_QUEUE_RING] < t)
+            q->outs_seen++;
+        if (q->ins_seen - q->outs_seen <= q->most || q->outs_seen == q->outs) return t;
+        t = hs_later(t, q->out[q->outs_seen % HS_QUEUE_RING]) + 1;
+    }
+}
+
+/* --- gather.sv, scatter.sv: a window of items before the banks of a memory ----------------------
+ *
+ * In each cycle a bank serves the oldest request that wants it, and items enter in order: so each
+ * bank serves its requests in the order in which they entered, one a cycle.
+ */
+enum { HS_MOST_BANKS = 16, HS_MOST_WINDOW = 32, HS_LANES = 4 };
+
+typedef struct hs_conflicts {
+    hs_time until;  /* cycles before this one are counted */
+    uint64_t count; /* cycles in which a request waited */
+} hs_conflicts;
+
+typedef struct hs_window {
+    uint32_t bank_mask, slot_mask, next;
+    hs_time bank[HS_MOST_BANKS];  /* its latest service */
+    hs_time slot[HS_MOST_WINDOW]; /* the last cycle in which the item there keeps a new one out */
+    hs_time last;                 /* gather: the latest item left; scatter: the latest service */
+    hs_conflicts own, *conflicts; /* windows that are counted as one share theirs */
+} hs_window;
+
+static inline void hs_window_clear(hs_window *w, const hs_model_config *config) {
+    *w = (hs_window){.bank_mask = (1u << config->bank_bits) - 1,
+                     .slot_mask = (1u << config->window_bits) - 1,
+                     .conflicts = &w->own};
+}
+
+/* The requests of an item that entered in cycle t: when the last of them is served, or 0. */
+static inline hs_time hs_window_serve(hs_window *w, hs_time t, const uint32_t index[HS_LANES],
+                                      uint32_t lanes) {
+    hs_time last = 0;
+    for (uint32_t i = 0; i < HS_LANES; i++) {
+        if (!(lanes >> i & 1)) continue;
+        hs_time *bank = &w->bank[index[i] & w->bank_mask];
+        *bank = hs_later(t, *bank) + 1;
+        last = hs_later(last, *bank);
+    }
+    if (last > t + 1) {
+        hs_conflicts *c = w->conflicts;
+        const hs_time from = hs_later(t + 1, c->until);
+        if (last > from) c->count += last - from;
+        c->until = hs_later(last, c->until);
+    }
+    return last;
+}
+
+/* The first cycle from t on in which an item can enter. */
+static inline hs_time hs_gather_wait(const hs_window *w, hs_time t) {
+    return hs_later(t, w->slot[w->next & w->slot_mask] + 1);
+}
+
+/* An item enters in cycle t; the cycle in which it leaves with its words. */
+static inline hs_time hs_gather(hs_window *w, hs_time t, const uint32_t index[HS_LANES],
+                                uint32_t lanes) {
+    const hs_time served = hs_window_serve(w, t, index, lanes);
+    w->last = hs_later(w->last + 1, served ? served + 2 : t + 1);
+    w->slot[w->next++ & w->slot_mask] = w->last;
+    return w->last;
+}
+
+static inline hs_time hs_scatter_wait(const hs_window *w, hs_time t) {
+    return hs_later(t, w->slot[w->next & w->slot_mask]);
+}
+
+/* An item enters in cycle t. */
+static inline void hs_scatter(hs_window *w, hs_time t, const uint32_t index[HS_LANES],
+                              uint32_t lanes) {
+    const hs_time served = hs_window_serve(w, t, index, lanes);
+    w->slot[w->next++ & w->slot_mask] = served;
+    w->last = hs_later(w->last, served);
+}
+
+/* --- emit.sv, pack.sv ---------------------------------------------------------------------------
+ */
+typedef struct hs_emit_cycles {
+    hs_pauses pauses; /* of the output */
+    uint64_t *ready;  /* a bit a cycle, as far as the generator has run */
+    size_t ready_room;
+    hs_time ready_known;
+
+    /* The op that was taken last: its records are made as soon as it is known what follows. */
+    uint32_t kind, generation, mask;
+    hs_time moved;                      /* when it went to where records are made */
+    bool pending;                       /* they have not been made yet */
+    hs_time made, handed;               /* the latest op's records: made, and taken by pack */
+    uint32_t grouped, carried, corners; /* vertices, records, corners that wait for more */
+
+    uint32_t rest, rows; /* pack: records that wait; rows so far */
+    hs_time row_left[2]; /* when the latest rows left their queue */
+    hs_time beat_loaded, beat_taken;
+    uint32_t *beat_cycle; /* when each beat was taken */
+    size_t beats, beat_room;
+    hs_time first_out;
+
+    hs_time begin; /* the header op was taken */
+    uint64_t ops, blocked, waited;
+    uint64_t vertices, faces;
+    bool exhausted;
+} hs_emit_cycles;
+
+/* An op for emit: the kind, the vertex' number, slots in use, whether a polygon's corner is the
+ * last one. */
+typedef struct hs_op {
+    uint32_t kind, generation, number, mask, sides;
+    bool first, last;
+} hs_op;
+
+/* --- The model ----------------------------------------------------------------------------------
+ */
+struct hs_model {
+    hs_limits limits;
+    hs_model_config config;
+    hs_golden *golden;
+
+    /* The view */
+    const hs_packet *in;
+    hs_stalls stalls;
+    hs_cycle_report *report;
+    hs_log *log;          /* or NULL */
+    bool entered;         /* golden has accepted the packet */
+    bool closed;          /* it has neither border nor boundary */
+    bool ends;            /* this generation is the last one */
+    bool has_smooth;      /* smooth is not left out in this step */
+    size_t smooth_logged; /* transactions of smooth_out that are complete */
+    hs_time now;          /* when the sequencer starts the next stage */
+    hs_emit_cycles emit;
+    uint8_t *sent; /* per vertex: before this generation's smooth */
+    size_t sent_room;
+    bool exhausted;
+
+    hs_window read, look, write, write_upper; /* of the stage at work */
+    hs_queue items, waiting, ops;
+};
+
+/* The item of an active mesh, as fetch shows it: a quad, or in generation 0 a corner. */
+static inline const uint32_t *hs_item_origins(const hs_state *s, uint32_t item) {
+    return s->generation ? s->origin + 4 * (size_t)item : s->origin + item;
+}
+
+static inline uint32_t hs_item_lanes(const hs_state *s, uint32_t item) {
+    return !s->generation ? 1 : hs_is_half(s, item) ? 7 : 15;
+}
+
+static inline uint32_t hs_items(const hs_state *s) {
+    return s->generation ? s->faces : s->halfedges;
+}
+
+/* A stage took items: busy cycles, blocked ones; it was active from behind `kick` to `last`. */
+void hs_account(hs_model *m, uint32_t stage, hs_time kick, hs_time last, uint64_t busy,
+                uint64_t blocked);
+
+static inline void hs_log_words(hs_model *m, uint32_t probe, hs_time t, uint32_t item, uint32_t a,
+                                uint32_t b, uint32_t c, uint32_t d) {
+    if (m->log) hs_log_add(m->log, probe, t, item, (const uint32_t[4]){a, b, c, d});
+}
+
+void hs_log_item(hs_model *m, uint32_t probe, hs_time t, const hs_state *s, uint32_t item);
+
+/* The stages. kick: the cycle in which the sequencer starts it; the result: the one in which it
+ * sees that the stage has come to rest. s: golden's state when the stage has done its work. */
+hs_time hs_cycles_receive(hs_model *m, const hs_state *s);
+hs_time hs_cycles_classify(hs_model *m, const hs_state *s, hs_time kick);
+hs_time hs_cycles_select(hs_model *m, const hs_state *s, hs_time kick);
+hs_time hs_cycles_guard(hs_model *m, const hs_state *s, hs_time kick);
+hs_time hs_cycles_smooth(hs_model *m, const hs_state *s, hs_time kick);
+hs_time hs_cycles_split(hs_model *m, const hs_state *s, hs_time kick);
+
+void hs_emit_begin(hs_model *m);
+/* Offers an op from cycle t on; the cycle in which emit takes it. Ops come in order. */
+hs_time hs_emit_op(hs_model *m, hs_time t, const hs_op *op);
+/* Behind the trailer: the cycle in which the sequencer hears that the last beat was taken. */
+hs_time hs_emit_end(hs_model *m);
+
+#endif

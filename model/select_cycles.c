@@ -1,0 +1,44 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * When select works: rtl/select.sv with fetch, gather, fold and scatter.
+ */
+#include "model_parts.h"
+
+enum { FOLD_MOST = 480 }; /* fold: ITEMS - MARGIN */
+
+hs_time hs_cycles_select(hs_model *m, const hs_state *s, hs_time kick) {
+    hs_window *read = &m->read, *write = &m->write;
+    hs_queue *fold = &m->items;
+    hs_window_clear(read, &m->config);
+    hs_window_clear(write, &m->config);
+    hs_queue_clear(fold, FOLD_MOST);
+    uint64_t busy = 0, blocked = 0;
+    hs_time shown = kick + 1, out = 0;
+    uint32_t item = 0;
+    for (uint32_t f = 0; f < s->faces; f++) {
+        const uint32_t count = s->generation ? 1 : hs_face_sides(s, f), first = item;
+        const bool selected = s->decision[f] & FACE_SELECTED;
+        hs_time verdict = 0;
+        for (uint32_t i = 0; i < count; i++, item++) {
+            const hs_time t = hs_queue_wait(fold, hs_gather_wait(read, shown));
+            busy++;
+            blocked += t - shown;
+            shown = t + 1;
+            hs_log_item(m, HS_PROBE_select_in, t, s, item);
+            verdict = hs_gather(read, t, hs_item_origins(s, item), hs_item_lanes(s, item));
+            hs_queue_in(fold, verdict);
+        }
+        hs_log_words(m, HS_PROBE_select_face, verdict, f, selected, 0, 0, 0);
+        for (uint32_t i = 0; i < count; i++) {
+            out = hs_scatter_wait(write, hs_later(verdict, out) + 1);
+            hs_queue_out(fold, out);
+            hs_scatter(write, out, hs_item_origins(s, first + i),
+                       selected ? hs_item_lanes(s, first + i) : 0);
+            hs_log_words(m, HS_PROBE_select_out, out, first + i, selected, 0, 0, 0);
+        }
+    }
+    const hs_time last = busy ? hs_later(out, write->last) : kick;
+    hs_account(m, HS_STAGE_select, kick, last, busy, blocked);
+    m->report->conflicts += read->own.count + write->own.count;
+    return hs_later(kick, last) + 1;
+}

@@ -1,0 +1,182 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * The cycle-level model against the RTL where the other tests of the RTL do not go: random stalls,
+ * and faults of the model itself. Those tests compare all transactions of their views too
+ * (rtl_samples.h). HS_CASES=10 makes the random parts ten times as long.
+ */
+#include "rtl_samples.h"
+
+#include "reference_shapes.h"
+
+static const hs_boundary modes[] = {HS_BOUNDARY_KEPT, HS_BOUNDARY_SMOOTH, HS_BOUNDARY_EDGE_ONLY};
+
+static void print_total(const bench *b) {
+    print_message("%llu views, %llu transactions, %llu cycles: 0 differences\n",
+                  (unsigned long long)b->views, (unsigned long long)b->transactions,
+                  (unsigned long long)b->cycles);
+}
+
+/* Every seed pauses input and output anew, from never to nearly always. */
+static void stalls_on_either_side_are_modelled(void **state) {
+    bench *b = *state;
+    static const char *const name[] = {"cube", "grid", "torus", "mixed", "random", "die"};
+    uint64_t random = 11;
+    for (uint32_t seed = 0; seed < cases(60); seed++) {
+        hs_mesh mesh;
+        hs_view view[VIEWS];
+        make_shape(&mesh, name[seed % 6], seed % 6 == 4 ? 40 : 0, seed);
+        make_views(&mesh, view);
+        hs_settings s = seed % 3 == 2
+                            ? uniform((uint8_t)(1 + seed % 5))
+                            : adaptive((uint8_t)(seed % 4), (uint8_t)(seed % 7), seed & 1);
+        s.boundary = modes[seed % 3];
+        s.limit = seed % 4 == 3;
+        const hs_stalls stalls = {.seed = seed + 1,
+                                  .input = (uint8_t)random_below(&random, 96),
+                                  .output = (uint8_t)random_below(&random, 96)};
+        char what[100];
+        snprintf(what, sizeof what, "%s, stalls %u,%u, seed %u", name[seed % 6], stalls.input,
+                 stalls.output, stalls.seed);
+        assert_same_view(b, 1, &mesh, view[seed % VIEWS].matrix, &s, stalls, what);
+        hs_mesh_free(&mesh);
+    }
+    print_total(b);
+}
+
+/* Faces of 3 to 255 sides, vertices of as many faces: the folds of generation 0 fill up. */
+static void large_faces_and_valences_are_modelled(void **state) {
+    bench *b = *state;
+    for (uint32_t n = 3; n <= HS_MAX_SIDES; n += 12)
+        for (uint32_t k = 0; k < 4; k++) {
+            hs_mesh mesh;
+            hs_view view[VIEWS];
+            if (k & 1)
+                make_pillow(&mesh, n);
+            else
+                make_bicone(&mesh, n);
+            make_views(&mesh, view);
+            const hs_settings s = k & 2 ? uniform(3) : adaptive(2, 4, true);
+            const hs_stalls stalls = {.seed = n, .output = k == 3 ? 80 : 0};
+            char what[100];
+            snprintf(what, sizeof what, "%s of %u", k & 1 ? "pillow" : "bicone", n);
+            assert_same_view(b, 1, &mesh, view[n % VIEWS].matrix, &s, stalls, what);
+            hs_mesh_free(&mesh);
+        }
+    print_total(b);
+}
+
+/* A bench of which nothing could be told would be a bench for nothing. */
+static void every_boundary_was_passed(void **state) {
+    const bench *b = *state;
+    for (uint32_t p = 0; p < HS_PROBES; p++) {
+        print_message("%-14s %-14s %9llu\n", hs_stage_name(hs_probe_stage(p)), hs_probe_name(p),
+                      (unsigned long long)b->passed[p]);
+        assert_true(b->passed[p] > 0);
+    }
+}
+
+/* --- What is wrong is found
+ * -----------------------------------------------------------------------
+ */
+static void run_one_view(bench *b) {
+    hs_mesh mesh;
+    hs_view view[VIEWS];
+    const hs_settings s = adaptive(2, 4, true);
+    make_shape(&mesh, "torus", 0, 0);
+    make_views(&mesh, view);
+    assert_same_view(b, 1, &mesh, view[1].matrix, &s, no_stalls, "torus");
+    hs_mesh_free(&mesh);
+}
+
+static void a_cycle_or_a_word_off_is_found_and_named(void **state) {
+    bench *b = *state;
+    run_one_view(b);
+    for (uint32_t p = 0; p < HS_PROBES; p++) {
+        const size_t count = b->model_log.probe[p].count;
+        assert_true(count > 0);
+        hs_transaction *t = &b->model_log.probe[p].transaction[count / 2];
+        for (uint32_t k = 0; k < 3; k++) {
+            const hs_transaction before = *t;
+            if (k == 0) t->cycle++;
+            if (k == 1) t->item ^= 1;
+            if (k == 2) t->word[3] ^= 1u << 31;
+            const hs_log_comparison c =
+                hs_log_compare(&b->rtl_log, "rtl", &b->model_log, "model", 0);
+            assert_int_equal(c.different, 1);
+            assert_int_equal(c.probe, p);
+            assert_non_null(strstr(c.text, hs_probe_name(p)));
+            *t = before;
+        }
+        b->model_log.probe[p].count--;
+        assert_int_equal(hs_log_compare(&b->rtl_log, "rtl", &b->model_log, "model", 0).different,
+                         1);
+        b->model_log.probe[p].count++;
+    }
+}
+
+static void a_counter_off_is_found_and_named(void **state) {
+    bench *b = *state;
+    char text[200];
+    run_one_view(b);
+    for (uint32_t s = 0; s < HS_STAGES; s++)
+        for (uint32_t a = 0; a < HS_ACTIVITIES; a++) {
+            b->model_report.activity[s][a]++;
+            assert_false(
+                hs_cycle_report_equal(&b->rtl_report, &b->model_report, text, sizeof text));
+            assert_non_null(strstr(text, hs_stage_name(s)));
+            b->model_report.activity[s][a]--;
+        }
+    b->model_report.conflicts++;
+    assert_false(hs_cycle_report_equal(&b->rtl_report, &b->model_report, text, sizeof text));
+    b->model_report.conflicts--;
+    assert_true(hs_cycle_report_equal(&b->rtl_report, &b->model_report, text, sizeof text));
+}
+
+static void another_architecture_is_another_model(void **state) {
+    bench *b = *state;
+    hs_error err;
+    const hs_model_config config[] = {
+        {.bank_bits = 2, .window_bits = 3, .port_records = 4},
+        {.bank_bits = 3, .window_bits = 2, .port_records = 4},
+        {.bank_bits = 3, .window_bits = 3, .port_records = 2},
+    };
+    run_one_view(b);
+    const uint64_t cycles = b->model_report.cycles;
+    for (uint32_t i = 0; i < 3; i++) {
+        hs_model *model = hs_model_new(HS_DEFAULT_LIMITS, config[i], &err);
+        assert_non_null(model);
+        assert_true(hs_model_run(model, &b->in, no_stalls, &b->modelled, &b->modelled_report,
+                                 &b->model_report, NULL, &err));
+        assert_int_equal(hs_compare_words(&b->expected, &b->modelled).different, 0);
+        assert_true(b->model_report.cycles > cycles);
+        hs_model_free(model);
+    }
+}
+
+static void a_model_out_of_range_is_refused(void **state) {
+    (void)state;
+    hs_error err;
+    const hs_model_config config[] = {
+        {.bank_bits = 0, .window_bits = 3, .port_records = 4},
+        {.bank_bits = 5, .window_bits = 3, .port_records = 4},
+        {.bank_bits = 3, .window_bits = 6, .port_records = 4},
+        {.bank_bits = 3, .window_bits = 3, .port_records = 3},
+    };
+    for (uint32_t i = 0; i < 4; i++) {
+        assert_null(hs_model_new(HS_DEFAULT_LIMITS, config[i], &err));
+        assert_int_equal(err.code, HS_EXIT_USAGE);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(stalls_on_either_side_are_modelled),
+        cmocka_unit_test(large_faces_and_valences_are_modelled),
+        cmocka_unit_test(every_boundary_was_passed),
+        cmocka_unit_test(a_cycle_or_a_word_off_is_found_and_named),
+        cmocka_unit_test(a_counter_off_is_found_and_named),
+        cmocka_unit_test(another_architecture_is_another_model),
+        cmocka_unit_test(a_model_out_of_range_is_refused),
+    };
+    return cmocka_run_group_tests_name("model", tests, set_up_bench, tear_down_bench);
+}
