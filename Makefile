@@ -34,7 +34,7 @@ LIBS      := -lOSMesa -lpng -ljansson -lz -lm
 
 MODEL_OBJ := $(patsubst %.c,$(BUILD)/%.o,$(wildcard model/*.c))
 SIM_OBJ   := $(patsubst %.c,$(BUILD)/%.o,$(filter-out sim/main.c sim/gen_pkg.c,$(wildcard sim/*.c)))
-TESTS     := $(patsubst tests/%.c,$(BUILD)/%,$(wildcard tests/test_*.c))
+TESTS     := $(patsubst tests/%.c,$(BUILD)/%,$(wildcard tests/test_*.c)) $(BUILD)/test_smallest
 
 .PHONY: all
 all: $(BUILD)/halfstep ## build/halfstep, the program (the default)

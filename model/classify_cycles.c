@@ -9,7 +9,6 @@
 #include "model_parts.h"
 
 enum {
-    FOLD_MOST = 480, /* fold: ITEMS - MARGIN */
     GEOMETRY = 5,    /* face_geometry: LATENCY */
     CHECK_BEHIND = 3 /* check_twins: cycles behind its last corner */
 };
@@ -48,13 +47,13 @@ hs_time hs_cycles_classify(hs_model *m, const hs_state *s, hs_time kick) {
     hs_queue *fold = &m->items;
     hs_window_clear(read, &m->config);
     hs_window_clear(write, &m->config);
-    hs_queue_clear(fold, FOLD_MOST);
+    hs_queue_clear(fold, hs_fold_most(&m->config));
     uint64_t busy = 0, blocked = 0;
     hs_time shown = kick + 1, at_work = 0;
     uint32_t item = 0;
     for (uint32_t f = 0; f < s->faces; f++) {
         const uint32_t count = s->generation ? 1 : hs_face_sides(s, f), first = item;
-        hs_time in[HS_MAX_SIDES];
+        hs_time in[HS_MAX_SIDES], point = 0;
         for (uint32_t i = 0; i < count; i++, item++) {
             const hs_time t = hs_queue_wait(fold, hs_gather_wait(read, shown));
             busy++;
@@ -63,8 +62,8 @@ hs_time hs_cycles_classify(hs_model *m, const hs_state *s, hs_time kick) {
             hs_log_item(m, HS_PROBE_classify_in, t, s, item);
             in[i] = hs_gather(read, t, hs_item_origins(s, item), hs_item_lanes(s, item)) + 1;
             hs_queue_in(fold, in[i]);
+            point = in[i] + GEOMETRY;
         }
-        const hs_time point = in[count - 1] + GEOMETRY;
         log_face(m, point, s, f);
         for (uint32_t i = 0; i < count; i++) {
             const uint32_t lanes = hs_item_lanes(s, first + i);

@@ -66,7 +66,7 @@ static hs_time row_room(const hs_emit_cycles *e, hs_time t) {
 /* A row of records enters the queue in cycle t, and is cut into beats. */
 static void push_row(hs_model *m, hs_time t, uint32_t records) {
     hs_emit_cycles *e = &m->emit;
-    for (uint32_t at = 0; at < records; at += m->config.port_records) {
+    for (uint32_t at = 0; at < records; at += m->config.port) {
         /* A beat is loaded when the one before it was, or is being, taken. */
         e->beat_loaded = hs_later(hs_later(t, e->beat_loaded) + 1, e->beat_taken);
         e->beat_taken = output_ready(e, e->beat_loaded + 1);

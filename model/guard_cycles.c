@@ -4,8 +4,6 @@
  */
 #include "model_parts.h"
 
-enum { FOLD_MOST = 480 }; /* fold: ITEMS - MARGIN */
-
 static void log_new(hs_model *m, hs_time t, const hs_state *s, uint32_t f) {
     if (!m->log || s->number[f] >= HS_DEFAULT_LIMITS.vertices) return;
     uint32_t word[4];
@@ -19,7 +17,7 @@ hs_time hs_cycles_guard(hs_model *m, const hs_state *s, hs_time kick) {
     hs_queue *fold = &m->items;
     hs_window_clear(read, &m->config);
     hs_window_clear(write, &m->config);
-    hs_queue_clear(fold, FOLD_MOST);
+    hs_queue_clear(fold, hs_fold_most(&m->config));
     uint64_t busy = 0, blocked = 0;
     hs_time shown = kick + 1, out = 0;
     uint32_t item = 0, number = s->vertices;

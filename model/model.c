@@ -128,15 +128,40 @@ static void refused(hs_model *m, const hs_state *s) {
 /* --- The interface ------------------------------------------------------------------------------
  */
 
+hs_model_config hs_model_config_decode(uint32_t architecture) {
+    const hs_model_config config = {.port = 1u << (architecture & 0xf),
+                                    .banks = 1u << (architecture >> 4 & 0xf),
+                                    .window = 1u << (architecture >> 8 & 0xf),
+                                    .lanes = 1u << (architecture >> 12 & 0xf),
+                                    .latency = architecture >> 16 & 0xf,
+                                    .ops = 1u << (architecture >> 20 & 0xf)};
+    return config;
+}
+
+static bool power_of_two(uint32_t number, uint32_t least, uint32_t most) {
+    return number >= least && number <= most && (number & (number - 1)) == 0;
+}
+
+static bool good_config(const hs_model_config *c, hs_error *err) {
+    if (!power_of_two(c->port, 1, 4))
+        return hs_fail(err, HS_EXIT_USAGE, "port is %u; it should be 1, 2 or 4 records", c->port);
+    if (!power_of_two(c->banks, 2, HS_MOST_BANKS))
+        return hs_fail(err, HS_EXIT_USAGE, "banks is %u; it should be 2, 4, 8 or 16", c->banks);
+    if (!power_of_two(c->window, 2, HS_MOST_WINDOW))
+        return hs_fail(err, HS_EXIT_USAGE, "window is %u; it should be 2, 4, 8, 16 or 32 items",
+                       c->window);
+    if (!power_of_two(c->lanes, 1, HS_MOST_BANKS))
+        return hs_fail(err, HS_EXIT_USAGE, "lanes is %u; it should be 1, 2, 4, 8 or 16", c->lanes);
+    if (c->latency < 1 || c->latency > 8)
+        return hs_fail(err, HS_EXIT_USAGE, "latency is %u; it should be 1 to 8 cycles", c->latency);
+    if (!power_of_two(c->ops, 16, 256))
+        return hs_fail(err, HS_EXIT_USAGE, "ops is %u; it should be 16, 32, 64, 128 or 256",
+                       c->ops);
+    return true;
+}
+
 hs_model *hs_model_new(hs_limits limits, hs_model_config config, hs_error *err) {
-    const uint32_t port = config.port_records;
-    if (config.bank_bits < 1 || config.bank_bits > 4 || config.window_bits < 1 ||
-        config.window_bits > 5 || (port != 1 && port != 2 && port != 4)) {
-        hs_fail(err, HS_EXIT_USAGE,
-                "the model has 2 to 16 banks, windows of 2 to 32 items, and 1, 2 or 4 records in a "
-                "beat");
-        return NULL;
-    }
+    if (!good_config(&config, err)) return NULL;
     hs_model *m = calloc(1, sizeof *m);
     if (m) m->golden = hs_golden_new(limits);
     if (!m || !m->golden) {
@@ -175,7 +200,7 @@ static void complete(hs_cycle_report *r) {
 
 /* What the beats held is known when the packet is complete. */
 static void log_beats(hs_model *m, const hs_packet *out) {
-    const size_t beat_words = 4 * (size_t)m->config.port_records;
+    const size_t beat_words = 4 * (size_t)m->config.port;
     if (!m->log) return;
     for (size_t b = 0; b < m->emit.beats; b++) {
         uint32_t word[4] = {0};
@@ -209,6 +234,6 @@ bool hs_model_run(hs_model *m, const hs_packet *in, hs_stalls stalls, hs_packet 
 }
 
 uint64_t hs_model_word_cycle(const hs_model *m, size_t word) {
-    const size_t beat = word / (4 * (size_t)m->config.port_records);
+    const size_t beat = word / (4 * (size_t)m->config.port);
     return beat < m->emit.beats ? m->emit.beat_cycle[beat] : UINT64_MAX;
 }

@@ -17,12 +17,20 @@ extern "C" {
 
 /* The micro-architecture. Each is a parameter of rtl/halfstep.sv as well. */
 typedef struct hs_model_config {
-    uint32_t bank_bits;    /* banks of the memories, as a power of two: 1 to 4 */
-    uint32_t window_bits;  /* items that compete for banks, as a power of two: 1 to 5 */
-    uint32_t port_records; /* records of 128 bits in a beat: 1, 2 or 4 */
+    uint32_t port;    /* records of 128 bits in a beat: 1, 2 or 4 */
+    uint32_t banks;   /* of the memories: a power of two, 2 to 16 */
+    uint32_t window;  /* items of a stage that compete for banks: a power of two, 2 to 32 */
+    uint32_t lanes;   /* words that a stage reads or writes in a cycle, of one memory, at most: a
+                         power of two, 1 to 16 */
+    uint32_t latency; /* cycles from a request of a window to its word: 1 to 8 */
+    uint32_t ops;     /* that wait for emit: a power of two, 16 to 256 */
 } hs_model_config;
 
-#define HS_DEFAULT_CONFIG ((hs_model_config){.bank_bits = 3, .window_bits = 3, .port_records = 4})
+#define HS_DEFAULT_CONFIG                                                                          \
+    ((hs_model_config){.port = 4, .banks = 8, .window = 8, .lanes = 8, .latency = 1, .ops = 16})
+
+/* What the register ARCHITECTURE says. */
+hs_model_config hs_model_config_decode(uint32_t architecture);
 
 typedef struct hs_model hs_model;
 

@@ -8,6 +8,8 @@
 #ifndef HS_MODEL_PARTS_H
 #define HS_MODEL_PARTS_H
 
+#include <string.h>
+
 #include "golden_state.h"
 #include "model.h"
 
@@ -60,7 +62,8 @@ static inline hs_time hs_queue_wait(hs_queue *q, hs_time t) {
 /* --- gather.sv, scatter.sv: a window of items before the banks of a memory ----------------------
  *
  * In each cycle a bank serves the oldest request that wants it, and items enter in order: so each
- * bank serves its requests in the order in which they entered, one a cycle.
+ * bank serves its requests in the order in which they entered, one a cycle. Where there are fewer
+ * lanes than banks, the oldest requests get them: what is older never waits for what is younger.
  */
 enum { HS_MOST_BANKS = 16, HS_MOST_WINDOW = 32, HS_LANES = 4 };
 
@@ -69,8 +72,16 @@ typedef struct hs_conflicts {
     uint64_t count; /* cycles in which a request waited */
 } hs_conflicts;
 
+enum { HS_GRANT_RING = 1024 }; /* a power of two, more than a window's requests take */
+
 typedef struct hs_window {
     uint32_t bank_mask, slot_mask, next;
+    uint32_t lanes;   /* requests served in a cycle at most, 0: as many as there are banks */
+    uint32_t latency; /* gather: from a request to its word */
+    struct {
+        hs_time t;
+        uint32_t count;
+    } grants[HS_GRANT_RING];      /* if there are lanes: what a cycle served */
     hs_time bank[HS_MOST_BANKS];  /* its latest service */
     hs_time slot[HS_MOST_WINDOW]; /* the last cycle in which the item there keeps a new one out */
     hs_time last;                 /* gather: the latest item left; scatter: the latest service */
@@ -78,9 +89,24 @@ typedef struct hs_window {
 } hs_window;
 
 static inline void hs_window_clear(hs_window *w, const hs_model_config *config) {
-    *w = (hs_window){.bank_mask = (1u << config->bank_bits) - 1,
-                     .slot_mask = (1u << config->window_bits) - 1,
-                     .conflicts = &w->own};
+    memset(w, 0, sizeof *w);
+    w->bank_mask = config->banks - 1;
+    w->slot_mask = config->window - 1;
+    w->lanes = config->lanes < config->banks ? config->lanes : 0;
+    w->latency = config->latency;
+    w->conflicts = &w->own;
+}
+
+/* The first cycle from t on in which a lane is free, which it takes. */
+static inline hs_time hs_window_lane(hs_window *w, hs_time t) {
+    while (w->grants[t % HS_GRANT_RING].t == t && w->grants[t % HS_GRANT_RING].count == w->lanes)
+        t++;
+    if (w->grants[t % HS_GRANT_RING].t != t) {
+        w->grants[t % HS_GRANT_RING].t = t;
+        w->grants[t % HS_GRANT_RING].count = 0;
+    }
+    w->grants[t % HS_GRANT_RING].count++;
+    return t;
 }
 
 /* The requests of an item that entered in cycle t: when the last of them is served, or 0. */
@@ -91,6 +117,7 @@ static inline hs_time hs_window_serve(hs_window *w, hs_time t, const uint32_t in
         if (!(lanes >> i & 1)) continue;
         hs_time *bank = &w->bank[index[i] & w->bank_mask];
         *bank = hs_later(t, *bank) + 1;
+        if (w->lanes) *bank = hs_window_lane(w, *bank);
         last = hs_later(last, *bank);
     }
     if (last > t + 1) {
@@ -111,7 +138,7 @@ static inline hs_time hs_gather_wait(const hs_window *w, hs_time t) {
 static inline hs_time hs_gather(hs_window *w, hs_time t, const uint32_t index[HS_LANES],
                                 uint32_t lanes) {
     const hs_time served = hs_window_serve(w, t, index, lanes);
-    w->last = hs_later(w->last + 1, served ? served + 2 : t + 1);
+    w->last = hs_later(w->last + 1, served ? served + 1 + w->latency : t + 1);
     w->slot[w->next++ & w->slot_mask] = w->last;
     return w->last;
 }
@@ -189,6 +216,11 @@ struct hs_model {
     hs_window read, look, write, write_upper; /* of the stage at work */
     hs_queue items, waiting, ops;
 };
+
+/* Items that a fold before which a window stands holds before it asks to stop. */
+static inline uint32_t hs_fold_most(const hs_model_config *config) {
+    return 512 - 24 - config->window;
+}
 
 /* The item of an active mesh, as fetch shows it: a quad, or in generation 0 a corner. */
 static inline const uint32_t *hs_item_origins(const hs_state *s, uint32_t item) {

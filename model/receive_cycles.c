@@ -91,7 +91,7 @@ static void record(arrival *a, hs_time t, size_t number) {
 
 /* Takes the packet apart, beat by beat. */
 static void arrive(arrival *a) {
-    const uint32_t port = a->m->config.port_records;
+    const uint32_t port = a->m->config.port;
     hs_time free = 0, offered = 0; /* unpack has room; the next beat may be offered */
     size_t at = 0, beat = 0;
     do {

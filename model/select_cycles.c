@@ -4,14 +4,12 @@
  */
 #include "model_parts.h"
 
-enum { FOLD_MOST = 480 }; /* fold: ITEMS - MARGIN */
-
 hs_time hs_cycles_select(hs_model *m, const hs_state *s, hs_time kick) {
     hs_window *read = &m->read, *write = &m->write;
     hs_queue *fold = &m->items;
     hs_window_clear(read, &m->config);
     hs_window_clear(write, &m->config);
-    hs_queue_clear(fold, FOLD_MOST);
+    hs_queue_clear(fold, hs_fold_most(&m->config));
     uint64_t busy = 0, blocked = 0;
     hs_time shown = kick + 1, out = 0;
     uint32_t item = 0;

@@ -8,11 +8,9 @@
 #include "model_parts.h"
 
 enum {
-    TO_WRITE = 6,    /* from pick to write: read, weighted sum, division */
-    SEND_MOST = 8,   /* the level of the FIFO to emit up to which vertices are picked */
-    TO_GROUP = 2,    /* from pick to the FIFO of groups: read, lanes */
-    GROUPS_MOST = 3, /* send_groups: its level up to which vertices are picked */
-    WIDTH = 4        /* vertices that are picked at once */
+    TO_WRITE = 6, /* from pick to write: read, weighted sum, division */
+    TO_GROUP = 2, /* from pick to the FIFO of groups: read, lanes */
+    WIDTH = 4     /* vertices that are picked at once */
 };
 
 typedef struct walk {
@@ -64,12 +62,12 @@ static void pick_one(walk *w, uint32_t v, bool is_new) {
 /* Up to four of a row, which leave where they are. */
 static void pick_four(walk *w, const uint32_t *vertex, uint32_t count) {
     const hs_time t = pick(w);
-    const uint32_t banks = 1u << w->m->config.bank_bits;
+    const uint32_t banks = w->m->config.banks;
     uint32_t lanes = 0;
     for (uint32_t i = 0; i < count; i++)
         lanes |= 1u << vertex[i] % banks;
     hs_log_words(w->m, HS_PROBE_smooth_in, t, vertex[0] - vertex[0] % banks, lanes, 0, 0, 0);
-    uint32_t all[2 * WIDTH], total = w->rest_count + count;
+    uint32_t all[2 * WIDTH] = {0}, total = w->rest_count + count;
     for (uint32_t i = 0; i < total; i++)
         all[i] = i < w->rest_count ? w->rest[i] : vertex[i - w->rest_count];
     uint32_t from = 0;
@@ -130,10 +128,11 @@ static hs_time end_of(walk *w) {
 }
 
 hs_time hs_cycles_smooth(hs_model *m, const hs_state *s, hs_time kick) {
-    const uint32_t banks = 1u << m->config.bank_bits;
+    const uint32_t banks = m->config.banks;
     walk w = {.m = m, .s = s, .odd = hs_odd_step(s), .t = kick + 1};
     w.wide = !s->settings.limit && (!w.odd || s->finish);
-    hs_queue_clear(&m->ops, w.wide ? GROUPS_MOST : SEND_MOST);
+    /* Up to this level of the FIFO before emit vertices are picked. */
+    hs_queue_clear(&m->ops, w.wide ? m->config.ops / 2 - 5 : m->config.ops - 8);
     for (uint32_t row = 0; row < s->vertices; row += banks)
         walk_row(&w, row, banks);
     if (s->last) walk_new(&w, banks, s->settings.uniform && s->generation);

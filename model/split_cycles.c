@@ -7,12 +7,6 @@
  */
 #include "model_parts.h"
 
-enum {
-    WAITING_MOST = 8, /* split_number: the level from which it asks to stop */
-    FOLD_MOST = 480,  /* fold: ITEMS - MARGIN */
-    OPS_MOST = 15     /* split_faces: the FIFO has room */
-};
-
 /* What becomes of an item's edges, a bit a lane. */
 typedef struct edges {
     uint32_t lanes, boundary, border, replaced, lower;
@@ -113,9 +107,9 @@ hs_time hs_cycles_split(hs_model *m, const hs_state *s, hs_time kick) {
     hs_window_clear(write_lower, &m->config);
     hs_window_clear(write_upper, &m->config);
     write_upper->conflicts = &write_lower->own;
-    hs_queue_clear(&m->waiting, WAITING_MOST);
-    hs_queue_clear(&m->items, FOLD_MOST);
-    hs_queue_clear(&m->ops, OPS_MOST);
+    hs_queue_clear(&m->waiting, m->config.window);
+    hs_queue_clear(&m->items, hs_fold_most(&m->config));
+    hs_queue_clear(&m->ops, m->config.ops - 1);
 
     const bool all = s->settings.uniform && s->generation;
     uint64_t busy = 0, blocked = 0;
@@ -124,7 +118,7 @@ hs_time hs_cycles_split(hs_model *m, const hs_state *s, hs_time kick) {
     for (uint32_t f = 0; f < s->faces; f++) {
         const uint32_t sides = hs_face_sides(s, f), count = s->generation ? 1 : sides;
         const uint32_t first = item;
-        hs_time in[HS_MAX_SIDES];
+        hs_time known = 0; /* the face's last item is in the fold */
         edges edge[HS_MAX_SIDES];
         for (uint32_t i = 0; i < count; i++, item++) {
             edges *e = &edge[i];
@@ -142,14 +136,15 @@ hs_time hs_cycles_split(hs_model *m, const hs_state *s, hs_time kick) {
             t = hs_gather_wait(numbers, hs_later(looked, t) + 1);
             looked = hs_queue_wait(&m->items, t);
             hs_queue_out(&m->waiting, looked);
-            in[i] = hs_gather(numbers, looked, e->beyond, s->last ? 0 : e->replaced & ~e->lower);
-            hs_queue_in(&m->items, in[i]);
+            t = hs_gather(numbers, looked, e->beyond, s->last ? 0 : e->replaced & ~e->lower);
+            hs_queue_in(&m->items, t);
+            known = t + 1;
         }
         bool vertex_sent = false;
         for (uint32_t i = 0; i < count; i++) {
             const edges *e = &edge[i];
             /* Behind the face's last item; corners wait for the next one. */
-            const hs_time known = in[count - 1] + 1, begins = hs_later(known, done);
+            const hs_time begins = hs_later(known, done);
             hs_queue_out(&m->items, begins);
             const hs_time start = begins + 1;
             const uint32_t lower = s->last ? 0 : e->replaced & e->lower;

@@ -21,6 +21,8 @@ module accumulate #(
     // Width of a vertex number, and banks as a power of two.
     parameter int unsigned VW = 19,
     parameter int unsigned BANK_BITS = 3,
+    parameter int unsigned WINDOW_BITS = 3, // items that compete for banks
+    parameter int unsigned LANES = 8, // words a cycle
     // Bits of the tag that goes along with an item.
     parameter int unsigned TAG_WIDTH = 19
 ) (
@@ -78,7 +80,8 @@ module accumulate #(
   scatter #(
       .WIDTH(WORD),
       .ROW_BITS(ROW_BITS),
-      .BANK_BITS(BANK_BITS)
+      .BANK_BITS(BANK_BITS),
+      .WINDOW_BITS(WINDOW_BITS), .LANES(LANES)
   ) u_scatter (
       .clk_i,
       .rst_i,

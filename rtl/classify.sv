@@ -19,7 +19,10 @@
 module classify #(
     parameter int unsigned VW = 19,  // width of a vertex number
     parameter int unsigned QW = 19,  // width of a quad's (generation 0: a corner's) number
-    parameter int unsigned BANK_BITS = 3
+    parameter int unsigned BANK_BITS = 3,
+    parameter int unsigned WINDOW_BITS = 3, // items that compete for banks
+    parameter int unsigned LANES = 8, // words a cycle
+    parameter int unsigned READ_LATENCY = 1 // of a gather
 ) (
     input logic clk_i,
     input logic rst_i,
@@ -129,7 +132,8 @@ module classify #(
       .ITEM_WIDTH(RECORD),
       .WIDTH(274),
       .ROW_BITS(VW - BANK_BITS),
-      .BANK_BITS(BANK_BITS)
+      .BANK_BITS(BANK_BITS),
+      .WINDOW_BITS(WINDOW_BITS), .LANES(LANES), .READ_LATENCY(READ_LATENCY)
   ) u_gather (
       .clk_i, .rst_i, .stall_i(stall), .in_valid_i(fetch_valid), .in_ready_o(fetch_ready),
       .in_item_i({
@@ -210,7 +214,8 @@ module classify #(
 
   contributions #(
       .VW(VW),
-      .QW(QW)
+      .QW(QW),
+      .WINDOW_BITS(WINDOW_BITS)
   ) u_contributions (
       .clk_i, .rst_i, .start_i, .quads_i, .odd_i, .limit_i, .stall_o(stall),
       .active_o(contributions_active), .item_valid_i(valid_q), .item_last_i(last_q),
@@ -231,7 +236,8 @@ module classify #(
   accumulate #(
       .VW(VW),
       .BANK_BITS(BANK_BITS),
-      .TAG_WIDTH(QW)
+      .TAG_WIDTH(QW),
+      .WINDOW_BITS(WINDOW_BITS), .LANES(LANES)
   ) u_accumulate (
       .clk_i, .rst_i, .generation_i, .sum_i(odd_i), .in_valid_i(give), .in_ready_o(take),
       .in_mask_i(give_mask), .in_index_i(give_index), .in_marks_i(give_marks),
@@ -244,7 +250,8 @@ module classify #(
 
   ring #(
       .VW(VW),
-      .BANK_BITS(BANK_BITS)
+      .BANK_BITS(BANK_BITS),
+      .WINDOW_BITS(WINDOW_BITS), .LANES(LANES)
   ) u_ring (
       .clk_i, .rst_i, .in_valid_i(give && take && limit_i), .in_mask_i(give_mask),
       .in_index_i(give_index), .in_addend_i(give_ring), .in_nonquad_i(give_nonquad),

@@ -30,7 +30,8 @@
 
 module contributions #(
     parameter int unsigned VW = 19,  // width of a vertex number
-    parameter int unsigned QW = 19   // width of a quad's (generation 0: a corner's) number
+    parameter int unsigned QW = 19,  // width of a quad's (generation 0: a corner's) number
+    parameter int unsigned WINDOW_BITS = 3  // of the gather before this
 ) (
     input logic clk_i,
     input logic rst_i,
@@ -111,7 +112,8 @@ module contributions #(
 
   fold #(
       .ITEM_WIDTH(ITEM),
-      .RESULT_WIDTH(RESULT)
+      .RESULT_WIDTH(RESULT),
+      .MARGIN((1 << WINDOW_BITS) + 24)
   ) u_fold (
       .clk_i,
       .rst_i,

@@ -11,13 +11,15 @@
 //     that want a word, and their word numbers. Items leave in order, out_valid_o for one cycle,
 //     with the lanes' words; whoever takes them always takes them.
 //   * The requests of all items inside compete for the banks; in each cycle a bank serves the oldest
-//     one that wants it (in an item, that of the lowest lane). So an item whose banks are busy holds
-//     up nobody whose banks are not, until the window is full.
+//     one that wants it (in an item, that of the lowest lane), and of those at most LANES are served,
+//     the oldest. So an item whose banks are busy holds up nobody whose banks are not, until the
+//     window is full.
 //   * Rate: an item a cycle, as long as no bank is wanted more often than once a cycle over a
-//     window's length. Latency: 3 cycles from the one that took it, and 1 for each in which the last
-//     of its requests waited. conflict_o: a request waits.
+//     window's length. Latency: 2 + READ_LATENCY cycles from the one that took it, and 1 for each in
+//     which the last of its requests waited. conflict_o: a request waits.
 //   * stall_i: nothing is taken. At most the window's items still come out.
-//   * The memory answers one cycle after rd_en_o. Writing a word that an item inside is about to
+//   * The memory answers one cycle after rd_en_o; READ_LATENCY - 1 registers on the words' way back
+//     stand for a slower memory or a longer way. Writing a word that an item inside is about to
 //     read is illegal but where the user shows which of the two words it gets.
 
 module gather #(
@@ -28,8 +30,12 @@ module gather #(
     // Rows of a bank and banks, as powers of two.
     parameter int unsigned ROW_BITS = 16,
     parameter int unsigned BANK_BITS = 3,
-    // Items inside, as a power of two.
-    parameter int unsigned WINDOW_BITS = 3
+    // Items inside, as a power of two; 1 or more.
+    parameter int unsigned WINDOW_BITS = 3,
+    // Words a cycle, 1 or more.
+    parameter int unsigned LANES = 8,
+    // Cycles from a request to its word; 1 or more.
+    parameter int unsigned READ_LATENCY = 1
 ) (
     input logic clk_i,
     input logic rst_i,
@@ -80,8 +86,10 @@ module gather #(
   always_comb begin
     logic [SB-1:0] at;
     logic [IB-1:0] index;
+    int unsigned served;
     at = '0;
     index = '0;
+    served = 0;
     sent = '0;
     rd_en_o = '0;
     rd_row_o = '0;
@@ -91,7 +99,9 @@ module gather #(
         for (int i = 0; i < 4; i++) begin
           at = {head_q + WINDOW_BITS'(a), 2'(i)};
           index = index_q[at];
-          if (pending_q[at] && !rd_en_o[index[BANK_BITS-1:0]]) begin
+          if (pending_q[at] && !rd_en_o[index[BANK_BITS-1:0]] &&
+              (LANES >= BANKS || served < LANES)) begin
+            if (LANES < BANKS) served = served + 1;
             sent[at] = 1'b1;
             rd_en_o[index[BANK_BITS-1:0]] = 1'b1;
             rd_row_o[32'(index[BANK_BITS-1:0])*ROW_BITS+:ROW_BITS] = index[IB-1:BANK_BITS];
@@ -104,18 +114,46 @@ module gather #(
   // --- Answers ------------------------------------------------------------------------------------
   logic [BANKS-1:0] answers_q;
   logic [SB-1:0] asked_q[0:BANKS-1];
+  logic [WIDTH*BANKS-1:0] words;
 
   always_comb begin
     answered = '0;
     for (int b = 0; b < BANKS; b++) if (answers_q[b]) answered[asked_q[b]] = 1'b1;
   end
 
-  always_ff @(posedge clk_i) begin
-    answers_q <= rd_en_o;
-    for (int b = 0; b < BANKS; b++) begin
-      if (rd_en_o[b]) asked_q[b] <= asks[b];
-      if (answers_q[b]) word_q[asked_q[b]] <= rd_data_i[b*WIDTH+:WIDTH];
+  generate
+    if (READ_LATENCY == 1) begin : g_near
+      assign words = rd_data_i;
+      always_ff @(posedge clk_i) begin
+        answers_q <= rst_i ? '0 : rd_en_o;
+        for (int b = 0; b < BANKS; b++) if (rd_en_o[b]) asked_q[b] <= asks[b];
+      end
+    end else begin : g_far
+      localparam int unsigned WAY = READ_LATENCY - 1;
+      logic [BANKS-1:0] read_q[0:WAY-1];
+      logic [SB*BANKS-1:0] slot_q[0:WAY-1];
+      logic [WIDTH*BANKS-1:0] word_way_q[0:WAY-1];
+
+      always_ff @(posedge clk_i) begin
+        read_q[0] <= rst_i ? '0 : rd_en_o;
+        for (int b = 0; b < BANKS; b++) slot_q[0][b*SB+:SB] <= asks[b];
+        word_way_q[0] <= rd_data_i;
+        for (int t = 1; t < WAY; t++) begin
+          read_q[t] <= rst_i ? '0 : read_q[t-1];
+          slot_q[t] <= slot_q[t-1];
+          word_way_q[t] <= word_way_q[t-1];
+        end
+        answers_q <= rst_i ? '0 : read_q[WAY-1];
+        for (int b = 0; b < BANKS; b++)
+          if (read_q[WAY-1][b]) asked_q[b] <= slot_q[WAY-1][b*SB+:SB];
+      end
+      assign words = word_way_q[WAY-1];
     end
+  endgenerate
+
+  always_ff @(posedge clk_i) begin
+    for (int b = 0; b < BANKS; b++)
+      if (answers_q[b]) word_q[asked_q[b]] <= words[b*WIDTH+:WIDTH];
     pending_q <= pending_q & ~sent;
     missing_q <= missing_q & ~answered;
     if (take) begin
@@ -128,7 +166,6 @@ module gather #(
     if (out_valid_o) head_q <= head_q + 1'b1;
     count_q <= count_q + (WINDOW_BITS + 1)'(take) - (WINDOW_BITS + 1)'(out_valid_o);
     if (rst_i) begin
-      answers_q <= '0;
       pending_q <= '0;
       missing_q <= '0;
       head_q <= '0;

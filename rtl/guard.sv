@@ -20,7 +20,10 @@
 module guard #(
     parameter int unsigned VW = 19,  // width of a vertex number
     parameter int unsigned QW = 19,  // width of a quad's (generation 0: a corner's) number
-    parameter int unsigned BANK_BITS = 3
+    parameter int unsigned BANK_BITS = 3,
+    parameter int unsigned WINDOW_BITS = 3, // items that compete for banks
+    parameter int unsigned LANES = 8, // words a cycle
+    parameter int unsigned READ_LATENCY = 1 // of a gather
 ) (
     input logic clk_i,
     input logic rst_i,
@@ -114,7 +117,8 @@ module guard #(
       .ITEM_WIDTH(ITEM),
       .WIDTH(1),
       .ROW_BITS(VW - BANK_BITS),
-      .BANK_BITS(BANK_BITS)
+      .BANK_BITS(BANK_BITS),
+      .WINDOW_BITS(WINDOW_BITS), .LANES(LANES), .READ_LATENCY(READ_LATENCY)
   ) u_gather (
       .clk_i,
       .rst_i,
@@ -196,7 +200,8 @@ module guard #(
   /* verilator lint_off PINCONNECTEMPTY */
   fold #(
       .ITEM_WIDTH(4 + 4 * VW),
-      .RESULT_WIDTH(RESULT)
+      .RESULT_WIDTH(RESULT),
+      .MARGIN((1 << WINDOW_BITS) + 24)
   ) u_fold (
       .clk_i,
       .rst_i,
@@ -217,7 +222,8 @@ module guard #(
   scatter #(
       .WIDTH(1),
       .ROW_BITS(VW - BANK_BITS),
-      .BANK_BITS(BANK_BITS)
+      .BANK_BITS(BANK_BITS),
+      .WINDOW_BITS(WINDOW_BITS), .LANES(LANES)
   ) u_scatter (
       .clk_i,
       .rst_i,

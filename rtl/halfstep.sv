@@ -23,7 +23,15 @@ module halfstep #(
     // Records of 128 bits in a beat of either stream: 1, 2 or 4.
     parameter int unsigned PORT_RECORDS = 4,
     // Banks of the memories, as a power of two: 1 to 4.
-    parameter int unsigned BANK_BITS = 3
+    parameter int unsigned BANK_BITS = 3,
+    // Items of a stage that compete for the banks, as a power of two: 1 to 5.
+    parameter int unsigned WINDOW_BITS = 3,
+    // Words that a stage reads or writes in a cycle, of one memory, at most: a power of two, 1 to 16.
+    parameter int unsigned LANES = 8,
+    // Cycles from a request of a window to its word: 1 to 8.
+    parameter int unsigned READ_LATENCY = 1,
+    // Ops of smooth and of split that wait for emit: a power of two, 16 to 256.
+    parameter int unsigned OPS = 16
 ) (
     input logic clk_i,
     input logic rst_i,  // synchronous
@@ -71,11 +79,28 @@ module halfstep #(
     if (BANK_BITS < 1 || BANK_BITS > 4) begin : g_bad_banks
       $error("halfstep: BANK_BITS must be 1 to 4");
     end
+    if (WINDOW_BITS < 1 || WINDOW_BITS > 5) begin : g_bad_window
+      $error("halfstep: WINDOW_BITS must be 1 to 5");
+    end
+    if (LANES < 1 || LANES > 16 || (LANES & (LANES - 1)) != 0) begin : g_bad_lanes
+      $error("halfstep: LANES must be a power of two, 1 to 16");
+    end
+    if (READ_LATENCY < 1 || READ_LATENCY > 8) begin : g_bad_latency
+      $error("halfstep: READ_LATENCY must be 1 to 8");
+    end
+    if (OPS < 16 || OPS > 256 || (OPS & (OPS - 1)) != 0) begin : g_bad_ops
+      $error("halfstep: OPS must be a power of two, 16 to 256");
+    end
   endgenerate
 
   localparam int unsigned VW = $clog2(VERTICES);
   localparam int unsigned QW = $clog2(QUADS);
   localparam int unsigned STAGES = 9;
+  // {log2 OPS, READ_LATENCY, log2 LANES, WINDOW_BITS, BANK_BITS, log2 PORT_RECORDS}, 4 bits each
+  localparam logic [31:0] ARCHITECTURE = {
+    8'd0, 4'($clog2(OPS)), 4'(READ_LATENCY), 4'($clog2(LANES)), 4'(WINDOW_BITS), 4'(BANK_BITS),
+    4'($clog2(PORT_RECORDS))
+  };
 
   // What each stage did in this cycle, for the counters.
   logic [STAGES-1:0] busy, starved, blocked;
@@ -110,7 +135,8 @@ module halfstep #(
   logic [3:0] conflict;
 
   registers #(
-      .VERTICES(VERTICES), .QUADS(QUADS)
+      .VERTICES(VERTICES), .QUADS(QUADS),
+      .ARCHITECTURE(ARCHITECTURE)
   ) u_registers (
       .clk_i, .rst_i, .s_axil_awvalid, .s_axil_awready, .s_axil_awaddr, .s_axil_wvalid,
       .s_axil_wready, .s_axil_wdata, .s_axil_wstrb, .s_axil_bvalid, .s_axil_bready, .s_axil_bresp,
@@ -220,7 +246,8 @@ module halfstep #(
   logic [4:0] refine_in, refine_out;
 
   refine #(
-      .VW(VW), .QW(QW), .BANK_BITS(BANK_BITS)
+      .VW(VW), .QW(QW), .BANK_BITS(BANK_BITS),
+      .WINDOW_BITS(WINDOW_BITS), .LANES(LANES), .READ_LATENCY(READ_LATENCY), .OPS(OPS)
   ) u_refine (
       .clk_i, .rst_i, .generation_i(generation), .odd_i(odd), .quads_i(quads), .side_i(side),
       .all_i(all), .last_step_i(last_step), .finish_i(finish), .items_i(items),

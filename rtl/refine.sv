@@ -19,7 +19,11 @@
 module refine #(
     parameter int unsigned VW = 19,  // width of a vertex number
     parameter int unsigned QW = 19,  // width of a quad's (generation 0: a corner's) number
-    parameter int unsigned BANK_BITS = 3
+    parameter int unsigned BANK_BITS = 3,
+    parameter int unsigned WINDOW_BITS = 3, // items that compete for banks
+    parameter int unsigned LANES = 8, // words a cycle
+    parameter int unsigned READ_LATENCY = 1, // of a gather
+    parameter int unsigned OPS = 16 // that wait for emit
 ) (
     input logic clk_i,
     input logic rst_i,
@@ -268,7 +272,8 @@ module refine #(
   logic [1:0] classify_conflict;
 
   classify #(
-      .VW(VW), .QW(QW), .BANK_BITS(BANK_BITS)
+      .VW(VW), .QW(QW), .BANK_BITS(BANK_BITS),
+      .WINDOW_BITS(WINDOW_BITS), .LANES(LANES), .READ_LATENCY(READ_LATENCY)
   ) u_classify (
       .clk_i, .rst_i, .start_i(kick_classify_i), .items_i, .quads_i, .odd_i, .generation_i,
       .limit_i, .corners_stay_i, .min_edge_i, .width_i, .height_i, .record_half_i(half),
@@ -304,7 +309,8 @@ module refine #(
   logic [1:0] select_conflict, guard_conflict;
 
   select #(
-      .VW(VW), .QW(QW), .BANK_BITS(BANK_BITS)
+      .VW(VW), .QW(QW), .BANK_BITS(BANK_BITS),
+      .WINDOW_BITS(WINDOW_BITS), .LANES(LANES), .READ_LATENCY(READ_LATENCY)
   ) u_select (
       .clk_i, .rst_i, .start_i(kick_select_i), .items_i, .quads_i, .generation_i, .front_depth_i,
       .silhouette_depth_i, .active_o(select_active_o), .selected_o(selected_count_o),
@@ -320,7 +326,8 @@ module refine #(
   );
 
   guard #(
-      .VW(VW), .QW(QW), .BANK_BITS(BANK_BITS)
+      .VW(VW), .QW(QW), .BANK_BITS(BANK_BITS),
+      .WINDOW_BITS(WINDOW_BITS), .LANES(LANES), .READ_LATENCY(READ_LATENCY)
   ) u_guard (
       .clk_i, .rst_i, .start_i(kick_guard_i), .items_i, .quads_i, .odd_i, .guard_i(guarded_i),
       .record_boundary_i(boundary), .record_tag_i(tag), .record_half_i(half),
@@ -341,7 +348,8 @@ module refine #(
   logic [2:0] split_conflict;
 
   smooth #(
-      .VW(VW), .BANK_BITS(BANK_BITS)
+      .VW(VW), .BANK_BITS(BANK_BITS),
+      .OPS(OPS)
   ) u_smooth (
       .clk_i, .rst_i, .start_i(kick_smooth_i), .count_i(vertices_i), .new_i(new_vertices_i), .odd_i,
       .last_i(last_step_i), .finish_i, .generation_i, .active_o(smooth_active_o),
@@ -361,7 +369,8 @@ module refine #(
   );
 
   split #(
-      .VW(VW), .QW(QW), .BANK_BITS(BANK_BITS)
+      .VW(VW), .QW(QW), .BANK_BITS(BANK_BITS),
+      .WINDOW_BITS(WINDOW_BITS), .LANES(LANES), .READ_LATENCY(READ_LATENCY), .OPS(OPS)
   ) u_split (
       .clk_i, .rst_i, .start_i(kick_split_i), .items_i, .quads_i, .odd_i, .all_i,
       .last_i(last_step_i), .record_boundary_i(boundary), .record_sharp_i(sharp),

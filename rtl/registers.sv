@@ -18,7 +18,9 @@ module registers #(
     // Vertices that the memories hold, at most 2^24.
     parameter int unsigned VERTICES = 524288,
     // Active quads that they hold, at most 2^24.
-    parameter int unsigned QUADS = 524288
+    parameter int unsigned QUADS = 524288,
+    // What the register ARCHITECTURE says.
+    parameter logic [31:0] ARCHITECTURE = 32'd0
 ) (
     input logic clk_i,
     input logic rst_i,
@@ -150,6 +152,7 @@ module registers #(
       hs_pkg::REG_CYCLES: data = cycles_i;
       hs_pkg::REG_CYCLES_HIGH: data = cycles_high_i;
       hs_pkg::REG_CONFLICTS: data = conflicts_i;
+      hs_pkg::REG_ARCHITECTURE: data = ARCHITECTURE;
       default: begin
         known = of_counters && counter_known_i;
         data  = known ? counter_i : 32'd0;

@@ -16,7 +16,9 @@
 module ring #(
     // Width of a vertex number, and banks as a power of two.
     parameter int unsigned VW = 19,
-    parameter int unsigned BANK_BITS = 3
+    parameter int unsigned BANK_BITS = 3,
+    parameter int unsigned WINDOW_BITS = 3, // items that compete for banks
+    parameter int unsigned LANES = 8 // words a cycle
 ) (
     input logic clk_i,
     input logic rst_i,
@@ -62,7 +64,8 @@ module ring #(
   scatter #(
       .WIDTH(WORD),
       .ROW_BITS(ROW_BITS),
-      .BANK_BITS(BANK_BITS)
+      .BANK_BITS(BANK_BITS),
+      .WINDOW_BITS(WINDOW_BITS), .LANES(LANES)
   ) u_scatter (
       .clk_i,
       .rst_i,

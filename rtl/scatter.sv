@@ -6,8 +6,8 @@
 //     word, their word numbers, and the words. The banks see it from the next cycle on: en_o, row_o
 //     and data_o, a word a bank and cycle.
 //   * The words of up to 2^WINDOW_BITS items compete for the banks; in each cycle a bank gets the
-//     oldest one that wants it (of an item, that of the lowest lane). So words of one bank keep
-//     their order, and an item whose banks are busy holds up nobody whose banks are not, until the
+//     oldest one that wants it (of an item, that of the lowest lane), and of those at most LANES
+//     are sent, the oldest. So words of one bank keep their order, and an item whose banks are busy holds up nobody whose banks are not, until the
 //     window is full.
 //   * Rate: an item a cycle, as long as no bank is wanted more often than once a cycle over a
 //     window's length. conflict_o: a word waits. active_o: a word is inside.
@@ -18,8 +18,10 @@ module scatter #(
     // Rows of a bank and banks, as powers of two.
     parameter int unsigned ROW_BITS = 16,
     parameter int unsigned BANK_BITS = 3,
-    // Items inside, as a power of two.
-    parameter int unsigned WINDOW_BITS = 3
+    // Items inside, as a power of two; 1 or more.
+    parameter int unsigned WINDOW_BITS = 3,
+    // Words a cycle, 1 or more.
+    parameter int unsigned LANES = 8
 ) (
     input logic clk_i,
     input logic rst_i,
@@ -41,6 +43,7 @@ module scatter #(
 );
 
   localparam int unsigned IB = ROW_BITS + BANK_BITS;
+  localparam int unsigned BANKS = 1 << BANK_BITS;
   localparam int unsigned WINDOW = 1 << WINDOW_BITS;
   localparam int unsigned SB = WINDOW_BITS + 2;  // a slot's lane: {slot, lane}
 
@@ -60,8 +63,10 @@ module scatter #(
   always_comb begin
     logic [SB-1:0] at;
     logic [IB-1:0] index;
+    int unsigned served;
     at = '0;
     index = '0;
+    served = 0;
     sent = '0;
     en_o = '0;
     row_o = '0;
@@ -71,7 +76,9 @@ module scatter #(
         for (int i = 0; i < 4; i++) begin
           at = {tail_q + WINDOW_BITS'(a), 2'(i)};
           index = index_q[at];
-          if (pending_q[at] && !en_o[index[BANK_BITS-1:0]]) begin
+          if (pending_q[at] && !en_o[index[BANK_BITS-1:0]] &&
+              (LANES >= BANKS || served < LANES)) begin
+            if (LANES < BANKS) served = served + 1;
             sent[at] = 1'b1;
             en_o[index[BANK_BITS-1:0]] = 1'b1;
             row_o[32'(index[BANK_BITS-1:0])*ROW_BITS+:ROW_BITS] = index[IB-1:BANK_BITS];

@@ -15,7 +15,10 @@
 module select #(
     parameter int unsigned VW = 19,  // width of a vertex number
     parameter int unsigned QW = 19,  // width of a quad's (generation 0: a corner's) number
-    parameter int unsigned BANK_BITS = 3
+    parameter int unsigned BANK_BITS = 3,
+    parameter int unsigned WINDOW_BITS = 3, // items that compete for banks
+    parameter int unsigned LANES = 8, // words a cycle
+    parameter int unsigned READ_LATENCY = 1 // of a gather
 ) (
     input logic clk_i,
     input logic rst_i,
@@ -103,7 +106,8 @@ module select #(
       .ITEM_WIDTH(ITEM),
       .WIDTH(13),
       .ROW_BITS(VW - BANK_BITS),
-      .BANK_BITS(BANK_BITS)
+      .BANK_BITS(BANK_BITS),
+      .WINDOW_BITS(WINDOW_BITS), .LANES(LANES), .READ_LATENCY(READ_LATENCY)
   ) u_gather (
       .clk_i,
       .rst_i,
@@ -182,7 +186,8 @@ module select #(
   /* verilator lint_off PINCONNECTEMPTY */
   fold #(
       .ITEM_WIDTH(4 * VW + 1),
-      .RESULT_WIDTH(1)
+      .RESULT_WIDTH(1),
+      .MARGIN((1 << WINDOW_BITS) + 24)
   ) u_fold (
       .clk_i,
       .rst_i,
@@ -203,7 +208,8 @@ module select #(
   scatter #(
       .WIDTH(1),
       .ROW_BITS(VW - BANK_BITS),
-      .BANK_BITS(BANK_BITS)
+      .BANK_BITS(BANK_BITS),
+      .WINDOW_BITS(WINDOW_BITS), .LANES(LANES)
   ) u_scatter (
       .clk_i,
       .rst_i,

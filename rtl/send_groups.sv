@@ -15,7 +15,8 @@
 
 module send_groups #(
     parameter int unsigned VW = 19,  // width of a vertex number
-    parameter int unsigned BANK_BITS = 3
+    parameter int unsigned BANK_BITS = 3,
+    parameter int unsigned GROUPS = 8  // that wait for emit; 8 or more
 ) (
     input logic clk_i,
     input logic rst_i,
@@ -97,12 +98,12 @@ module send_groups #(
 
   // --- Groups --------------------------------------------------------------------------------------
   logic [4*WORD-1:0] group;
-  logic [3:0] level;
+  logic [$clog2(GROUPS):0] level;
 
   /* verilator lint_off PINCONNECTEMPTY */
   fifo #(
       .WIDTH(4 * WORD),
-      .DEPTH(8)
+      .DEPTH(GROUPS)
   ) u_groups (
       .clk_i, .rst_i, .in_valid_i(count_q != 3'd0 && full),
       .in_ready_o(),  // stall_o keeps it high
@@ -114,7 +115,7 @@ module send_groups #(
   for (genvar i = 0; i < 4; i++) begin : g_lane
     assign {group_vertex_o[i*VW+:VW], group_position_o[i*128+:128]} = group[i*WORD+:WORD];
   end
-  assign stall_o = level > 4'd3;
+  assign stall_o = level > ($clog2(GROUPS) + 1)'(GROUPS - 5);
 
   // --- The last ones -------------------------------------------------------------------------------
   assign single_valid_o = end_i && count_q == 3'd0 && rest_count_q != 2'd0 && !group_valid_o;

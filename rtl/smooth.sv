@@ -33,6 +33,7 @@
 module smooth #(
     parameter int unsigned VW = 19,  // width of a vertex number
     parameter int unsigned BANK_BITS = 3,
+    parameter int unsigned OPS = 16,  // that wait for emit; 16 or more
     parameter bit WIDE = 1'b1  // several vertices may leave in a cycle
 ) (
     input logic clk_i,
@@ -247,7 +248,8 @@ module smooth #(
 
   send_groups #(
       .VW(VW),
-      .BANK_BITS(BANK_BITS)
+      .BANK_BITS(BANK_BITS),
+      .GROUPS(OPS / 2)
   ) u_groups (
       .clk_i, .rst_i, .valid_i(wide_q), .mask_i(wide_mask_q), .row_i(wide_row_q),
       .positions_i(wide_new_q && new_from_face_i ? {BANKS{face_rd_data_i}} : wide_rd_data_i),
@@ -368,7 +370,7 @@ module smooth #(
   assign write_before_o = along_position;
 
   // --- Send -----------------------------------------------------------------------------------------------------
-  logic [4:0] send_level;
+  logic [$clog2(OPS):0] send_level;
   logic [127:0] leaves_at, moved_position;
   logic moved_valid, moved_at_level;
   logic [VW-1:0] moved_vertex;
@@ -378,7 +380,7 @@ module smooth #(
   /* verilator lint_off PINCONNECTEMPTY */
   fifo #(
       .WIDTH(1 + VW + 128),
-      .DEPTH(16)
+      .DEPTH(OPS)
   ) u_send (
       .clk_i,
       .rst_i,
@@ -393,7 +395,7 @@ module smooth #(
   /* verilator lint_on PINCONNECTEMPTY */
 
   // Six may be on their way, and one is picked before the level shows the one before it.
-  assign stall = wide ? groups_stall : send_level > 5'd8;
+  assign stall = wide ? groups_stall : send_level > ($clog2(OPS) + 1)'(OPS - 8);
 
   // The two ways never have something at the same time.
   assign send_valid_o = moved_valid || single_valid;

@@ -30,7 +30,11 @@
 module split #(
     parameter int unsigned VW = 19,  // width of a vertex number
     parameter int unsigned QW = 19,  // width of a quad's (generation 0: a corner's) number
-    parameter int unsigned BANK_BITS = 3
+    parameter int unsigned BANK_BITS = 3,
+    parameter int unsigned WINDOW_BITS = 3, // items that compete for banks
+    parameter int unsigned LANES = 8, // words a cycle
+    parameter int unsigned READ_LATENCY = 1, // of a gather
+    parameter int unsigned OPS = 16 // that wait for emit
 ) (
     input logic clk_i,
     input logic rst_i,
@@ -163,7 +167,8 @@ module split #(
       .ITEM_WIDTH(ITEM),
       .WIDTH(VW + 2),
       .ROW_BITS(QW - BANK_BITS),
-      .BANK_BITS(BANK_BITS)
+      .BANK_BITS(BANK_BITS),
+      .WINDOW_BITS(WINDOW_BITS), .LANES(LANES), .READ_LATENCY(READ_LATENCY)
   ) u_gather_verdicts (
       .clk_i, .rst_i, .stall_i(beyond_stall), .in_valid_i(fetch_valid), .in_ready_o(fetch_ready),
       .in_item_i({
@@ -195,7 +200,8 @@ module split #(
       .VW(VW),
       .QW(QW),
       .BANK_BITS(BANK_BITS),
-      .REST(1 + 4 + 4 + REST)
+      .REST(1 + 4 + 4 + REST),
+      .WINDOW_BITS(WINDOW_BITS), .LANES(LANES), .READ_LATENCY(READ_LATENCY)
   ) u_number (
       .clk_i, .rst_i, .start_i, .quads_i, .odd_i, .all_i, .last_step_i(last_i), .first_new_i,
       .count_o(children_o), .active_o(number_active), .valid_i(beyond_valid),
@@ -225,7 +231,8 @@ module split #(
   split_write #(
       .VW(VW),
       .QW(QW),
-      .BANK_BITS(BANK_BITS)
+      .BANK_BITS(BANK_BITS),
+      .WINDOW_BITS(WINDOW_BITS), .LANES(LANES), .OPS(OPS)
   ) u_write (
       .clk_i, .rst_i, .start_i, .quads_i, .odd_i, .last_step_i(last_i), .all_i,
       .stall_o(numbered_stall), .lanes_i(numbered_lanes), .boundary_i(boundary), .half_i(half),

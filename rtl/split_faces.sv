@@ -21,7 +21,8 @@
 //     sent_o: with done_i, its new vertex is sent here. active_o: something is not yet sent.
 
 module split_faces #(
-    parameter int unsigned VW = 19  // width of a vertex number
+    parameter int unsigned VW = 19,  // width of a vertex number
+    parameter int unsigned OPS = 16  // items that wait for emit
 ) (
     input logic clk_i,
     input logic rst_i,
@@ -86,9 +87,9 @@ module split_faces #(
   // --- The ops of an item --------------------------------------------------------------------------
   // {vertex, face, kind, number, position, mask, triangle, child, candidate, vertices, sides, first,
   // last}
-  localparam int unsigned OPS = 1 + 1 + 3 + 24 + 128 + 4 * 4 + 384 + 8 + 1 + 1;
+  localparam int unsigned OP_BITS = 1 + 1 + 3 + 24 + 128 + 4 * 4 + 384 + 8 + 1 + 1;
 
-  logic [OPS-1:0] ops;
+  logic [OP_BITS-1:0] ops;
   logic [2:0] kind;
   logic [23:0] number;
   logic [3:0] mask, triangle, candidate;
@@ -125,8 +126,8 @@ module split_faces #(
 
   /* verilator lint_off PINCONNECTEMPTY */
   fifo #(
-      .WIDTH(OPS),
-      .DEPTH(16)
+      .WIDTH(OP_BITS),
+      .DEPTH(OPS)
   ) u_ops (
       .clk_i, .rst_i, .in_valid_i(done_i && (vertex_needed || face_needed)), .in_ready_o(room),
       .in_data_i(ops), .out_valid_o(op_valid_o), .out_ready_i(take),

@@ -26,6 +26,9 @@ module split_number #(
     parameter int unsigned VW = 19,  // width of a vertex number
     parameter int unsigned QW = 19,  // width of a quad's (generation 0: a corner's) number
     parameter int unsigned BANK_BITS = 3,
+    parameter int unsigned WINDOW_BITS = 3, // items that compete for banks
+    parameter int unsigned LANES = 8, // words a cycle
+    parameter int unsigned READ_LATENCY = 1, // of a gather
     parameter int unsigned REST = 8  // bits of an item that just go along
 ) (
     input logic clk_i,
@@ -110,7 +113,7 @@ module split_number #(
   localparam int unsigned ITEM = REST + 4 * HW + QW + 4 + 4 + 4 + 4 * VW;
 
   logic waiting_valid, waiting_ready, gather_active;
-  logic [4:0] level;
+  logic [WINDOW_BITS+1:0] level;
   logic [ITEM-1:0] waiting, found;
   logic [4*HW-1:0] waiting_twin;
   logic [3:0] waiting_replaced, waiting_lower;
@@ -120,7 +123,7 @@ module split_number #(
   /* verilator lint_off PINCONNECTEMPTY */
   fifo #(
       .WIDTH(ITEM),
-      .DEPTH(16)
+      .DEPTH(2 << WINDOW_BITS)
   ) u_waiting (
       .clk_i, .rst_i, .in_valid_i(valid_i),
       .in_ready_o(),  // stall_o keeps it high
@@ -132,7 +135,8 @@ module split_number #(
   );
   /* verilator lint_on PINCONNECTEMPTY */
 
-  assign stall_o = level > 5'd8;  // what is on its way still fits
+  // What is on its way, a window of items, still fits.
+  assign stall_o = level > (WINDOW_BITS + 2)'(1 << WINDOW_BITS);
   assign {waiting_twin, waiting_replaced, waiting_lower} = waiting[4*HW+7:0];
 
   for (genvar i = 0; i < 4; i++) begin : g_waiting
@@ -144,7 +148,8 @@ module split_number #(
       .ITEM_WIDTH(ITEM),
       .WIDTH(QW + 4),
       .ROW_BITS(QW - BANK_BITS),
-      .BANK_BITS(BANK_BITS)
+      .BANK_BITS(BANK_BITS),
+      .WINDOW_BITS(WINDOW_BITS), .LANES(LANES), .READ_LATENCY(READ_LATENCY)
   ) u_gather_numbers (
       .clk_i, .rst_i, .stall_i, .in_valid_i(waiting_valid), .in_ready_o(waiting_ready),
       .in_item_i(waiting),

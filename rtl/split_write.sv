@@ -17,7 +17,10 @@
 module split_write #(
     parameter int unsigned VW = 19,
     parameter int unsigned QW = 19,
-    parameter int unsigned BANK_BITS = 3
+    parameter int unsigned BANK_BITS = 3,
+    parameter int unsigned WINDOW_BITS = 3, // items that compete for banks
+    parameter int unsigned LANES = 8, // words a cycle
+    parameter int unsigned OPS = 16 // that wait for emit
 ) (
     input logic clk_i,
     input logic rst_i,
@@ -105,7 +108,8 @@ module split_write #(
 
   fold #(
       .ITEM_WIDTH(ITEM),
-      .RESULT_WIDTH(RESULT)
+      .RESULT_WIDTH(RESULT),
+      .MARGIN((1 << WINDOW_BITS) + 24)
   ) u_fold (
       .clk_i,
       .rst_i,
@@ -242,7 +246,8 @@ module split_write #(
   scatter #(
       .WIDTH(HALF),
       .ROW_BITS(QW - BANK_BITS),
-      .BANK_BITS(BANK_BITS)
+      .BANK_BITS(BANK_BITS),
+      .WINDOW_BITS(WINDOW_BITS), .LANES(LANES)
   ) u_lower (
       .clk_i,
       .rst_i,
@@ -261,7 +266,8 @@ module split_write #(
   scatter #(
       .WIDTH(HALF),
       .ROW_BITS(QW - BANK_BITS),
-      .BANK_BITS(BANK_BITS)
+      .BANK_BITS(BANK_BITS),
+      .WINDOW_BITS(WINDOW_BITS), .LANES(LANES)
   ) u_upper (
       .clk_i,
       .rst_i,
@@ -282,7 +288,8 @@ module split_write #(
   logic faces_over, faces_active;
 
   split_faces #(
-      .VW(VW)
+      .VW(VW),
+      .OPS(OPS)
   ) u_faces (
       .clk_i, .rst_i, .quads_i, .last_step_i, .done_i(done), .over_o(faces_over), .sent_o,
       .active_o(faces_active), .first_i(first_q), .last_i(last_q), .sides_i(sides_q),

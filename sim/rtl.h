@@ -32,6 +32,9 @@ bool hs_rtl_run(hs_rtl *rtl, const hs_packet *in, hs_stalls stalls, hs_packet *o
 /* Has later runs write all their transactions to *log, which each clears first; NULL: none. */
 void hs_rtl_log(hs_rtl *rtl, hs_log *log);
 
+/* The RTL's parameters, as its register ARCHITECTURE gives them. */
+uint32_t hs_rtl_architecture(const hs_rtl *rtl);
+
 /* Cycles simulated since hs_rtl_new. */
 uint64_t hs_rtl_cycle(const hs_rtl *rtl);
 

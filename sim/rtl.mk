@@ -34,6 +34,47 @@ $(BUILD)/librtl.a: $(RTL_DIR)/rtl_shim.o $(RUNTIME)
 	rm -f $@ && cp $(RTL_DIR)/Vhalfstep__ALL.a $@ && ar rs $@ $^
 
 RTL_LIBS := $(BUILD)/libsim.a $(BUILD)/librtl.a $(BUILD)/libhalfstep.a
+
+# --- Other architectures -----------------------------------------------------------------------------
+# The same pipeline with other parameters, for the comparison of RTL and model: librtl-NAME.a.
+ARCHITECTURES := smallest narrow few slow wide largest
+smallest := -GPORT_RECORDS=1 -GBANK_BITS=1 -GWINDOW_BITS=1 -GLANES=1
+narrow   := -GPORT_RECORDS=2 -GBANK_BITS=2 -GWINDOW_BITS=2
+few      := -GLANES=4 -GWINDOW_BITS=4
+slow     := -GREAD_LATENCY=4 -GWINDOW_BITS=4
+wide     := -GBANK_BITS=4 -GLANES=16 -GOPS=64
+largest  := -GBANK_BITS=4 -GWINDOW_BITS=5 -GLANES=16 -GREAD_LATENCY=8 -GOPS=256
+
+$(ARCHITECTURES:%=$(BUILD)/verilated/%/log): $(BUILD)/verilated/%/log: rtl/files.f $(wildcard rtl/*.sv) sim/probes.sv sim/rtl.mk
+	@mkdir -p $(@D)
+	$(VERILATE) $($*) --trace-fst --output-split 20000 --Mdir $(@D) --prefix Vhalfstep --top-module halfstep \
+	    -f rtl/files.f sim/probes.sv >$@.part 2>&1 || { cat $@.part; exit 1; }
+	@mv $@.part $@
+
+$(ARCHITECTURES:%=$(BUILD)/verilated/%/rtl_shim.o): $(BUILD)/verilated/%/rtl_shim.o: sim/rtl_shim.cpp $(BUILD)/verilated/%/log
+	$(CXX) $(VERILATED_FLAGS) -isystem $(@D) -c $< -o $@
+
+$(ARCHITECTURES:%=$(BUILD)/librtl-%.a): $(BUILD)/librtl-%.a: $(BUILD)/verilated/%/rtl_shim.o $(RUNTIME)
+	rm -f $@ && cp $(BUILD)/verilated/$*/Vhalfstep__ALL.a $@ && ar rs $@ $^
+
+# The campaign, for each architecture and for the default one.
+$(BUILD)/parity: $(BUILD)/tests/parity.o $(RTL_LIBS)
+	$(LINK_RTL) -lcmocka
+$(ARCHITECTURES:%=$(BUILD)/parity-%): $(BUILD)/parity-%: $(BUILD)/tests/parity.o $(BUILD)/libsim.a \
+    $(BUILD)/librtl-%.a $(BUILD)/libhalfstep.a
+	$(CXX) $^ -o $@ $(LIBS) -pthread -lcmocka
+
+# Bounded, in `make test`: the test of the model once more, on the smallest architecture.
+$(BUILD)/test_smallest: $(BUILD)/tests/test_rtl_model.o $(BUILD)/libsim.a $(BUILD)/librtl-smallest.a \
+    $(BUILD)/libhalfstep.a
+	$(CXX) $^ -o $@ $(LIBS) -pthread -lcmocka
+
+# Per cent of the campaign.
+PARITY := 100
+.PHONY: parity
+parity: $(BUILD)/parity $(ARCHITECTURES:%=$(BUILD)/parity-%) ## the model against the RTL in full, in seven architectures
+	@tests/parity_run $(PARITY) $^
+
 LINK_RTL  = $(CXX) $< $(RTL_LIBS) -o $@ $(LIBS) -pthread
 
 $(BUILD)/halfstep: $(BUILD)/sim/main.o $(RTL_LIBS)

@@ -56,6 +56,7 @@ struct hs_rtl {
     uint64_t trace_first = 0, trace_last = 0;
     uint64_t cycle = 0;
     hs_limits limits{}, capacity{};
+    uint32_t architecture = 0;
     axil bus;
     snapshot before{};
     std::vector<uint32_t> beat_cycle; /* of the last run: when each beat was taken */
@@ -209,7 +210,8 @@ static bool check_identity(hs_rtl *rtl, hs_error *err) {
     if (!read_register(rtl, HS_REG_IDENTITY, &identity, err) ||
         !read_register(rtl, HS_REG_VERSION, &version, err) ||
         !read_register(rtl, HS_REG_CAPACITY_VERTICES, &capacity.vertices, err) ||
-        !read_register(rtl, HS_REG_CAPACITY_QUADS, &capacity.quads, err))
+        !read_register(rtl, HS_REG_CAPACITY_QUADS, &capacity.quads, err) ||
+        !read_register(rtl, HS_REG_ARCHITECTURE, &rtl->architecture, err))
         return false;
     if (identity != HS_IDENTITY || version != HS_STREAM_VERSION)
         return hs_fail(err, HS_EXIT_INTERNAL,
@@ -258,6 +260,10 @@ void hs_rtl_free(hs_rtl *rtl) {
 
 uint64_t hs_rtl_cycle(const hs_rtl *rtl) {
     return rtl->cycle;
+}
+
+uint32_t hs_rtl_architecture(const hs_rtl *rtl) {
+    return rtl->architecture;
 }
 
 void hs_rtl_log(hs_rtl *rtl, hs_log *log) {

@@ -52,7 +52,7 @@ static inline bench *new_bench(hs_limits limits, uint32_t seed) {
     assert_non_null(b->golden);
     b->rtl = hs_rtl_new(limits, seed, &err);
     if (!b->rtl) fail_msg("%s", err.text);
-    b->model = hs_model_new(limits, HS_DEFAULT_CONFIG, &err);
+    b->model = hs_model_new(limits, hs_model_config_decode(hs_rtl_architecture(b->rtl)), &err);
     if (!b->model) fail_msg("%s", err.text);
     hs_rtl_log(b->rtl, &b->rtl_log);
     return b;

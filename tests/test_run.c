@@ -51,6 +51,11 @@ void hs_rtl_free(hs_rtl *rtl) {
     free(rtl);
 }
 
+uint32_t hs_rtl_architecture(const hs_rtl *rtl) {
+    (void)rtl;
+    return 0;
+}
+
 void hs_rtl_log(hs_rtl *rtl, hs_log *log) {
     rtl->log = log;
 }
