@@ -13,7 +13,7 @@ enum {
     CHECK_BEHIND = 3 /* check_twins: cycles behind its last corner */
 };
 
-static void log_face(hs_model *m, hs_time t, const hs_state *s, uint32_t f) {
+void hs_log_face(hs_model *m, hs_time t, const hs_state *s, uint32_t f) {
     if (!m->log) return;
     uint32_t word[4];
     for (int k = 0; k < 4; k++)
@@ -29,8 +29,8 @@ static bool on_border(const hs_state *s, uint32_t f, uint32_t i, uint32_t sides)
     return s->twin[h0 + i] == HS_BORDER || s->twin[h0 + prior] == HS_BORDER;
 }
 
-static void log_contribution(hs_model *m, hs_time t, const hs_state *s, uint32_t f, uint32_t item,
-                             uint32_t lanes) {
+void hs_log_contribution(hs_model *m, hs_time t, const hs_state *s, uint32_t f, uint32_t item,
+                         uint32_t lanes) {
     if (!m->log) return;
     const uint32_t sides = hs_face_sides(s, f), first = hs_face_first(s, f);
     uint32_t marks = 0;
@@ -62,9 +62,9 @@ hs_time hs_cycles_classify(hs_model *m, const hs_state *s, hs_time kick) {
             hs_log_item(m, HS_PROBE_classify_in, t, s, item);
             in[i] = hs_gather(read, t, hs_item_origins(s, item), hs_item_lanes(s, item)) + 1;
             hs_queue_in(fold, in[i]);
-            point = in[i] + GEOMETRY;
+            point = in[i] + HS_GEOMETRY;
         }
-        log_face(m, point, s, f);
+        hs_log_face(m, point, s, f);
         for (uint32_t i = 0; i < count; i++) {
             const uint32_t lanes = hs_item_lanes(s, first + i);
             const hs_time begins = hs_later(hs_later(in[i], point) + 1, at_work);
@@ -74,11 +74,17 @@ hs_time hs_cycles_classify(hs_model *m, const hs_state *s, hs_time kick) {
             if (i + 1 < count) t = hs_later(t, hs_later(in[i + 1], point) + 1);
             at_work = hs_scatter_wait(write, t);
             hs_scatter(write, at_work, hs_item_origins(s, first + i), lanes);
-            log_contribution(m, at_work, s, f, first + i, lanes);
+            hs_log_contribution(m, at_work, s, f, first + i, lanes);
         }
     }
     const hs_time last = busy ? write->last + 1 : kick; /* accumulate writes behind its read */
     hs_account(m, HS_STAGE_classify, kick, last, busy, blocked);
+    const bool odd = hs_odd_step(s);
+    const uint64_t vertex = HS_POSITION_WORD + HS_SHARP_WORD + (odd ? 0 : HS_POSITION_WORD);
+    const uint64_t added =
+        HS_MARK_WORD + (odd ? HS_SUM_WORD : 0u) + (s->settings.limit ? HS_RING_WORD : 0u);
+    m->traffic.read += busy * hs_record_bits(s) + read->served * vertex + write->served * added;
+    m->traffic.written += write->served * (added + 2) + (uint64_t)s->faces * HS_POINT_WORD;
     m->report->conflicts += read->own.count + write->own.count;
     const hs_time checked = s->generation ? 0 : kick + busy + CHECK_BEHIND;
     return hs_later(last + 1, hs_later(kick + 1, checked));

@@ -191,3 +191,22 @@ bool hs_file_read(const char *path, size_t limit, uint8_t **bytes, size_t *size,
     *bytes = all;
     return true;
 }
+
+bool hs_folder_make(const char *path, hs_error *err) {
+    char part[4096];
+    if (strlen(path) >= sizeof part - 100)
+        return hs_fail(err, HS_EXIT_FILE, "%.100s...: too long a path", path);
+    for (size_t i = 1; i <= strlen(path); i++)
+        if (path[i] == '/' || path[i] == 0) {
+            memcpy(part, path, i);
+            part[i] = 0;
+            struct stat status;
+            if (mkdir(part, 0777) == 0) continue;
+            const int cause = errno;
+            if (stat(part, &status) == 0 && S_ISDIR(status.st_mode)) continue;
+            return hs_fail(err, HS_EXIT_FILE,
+                           "%.300s: cannot make this folder: %s; choose another with --out", part,
+                           strerror(cause == EEXIST ? ENOTDIR : cause));
+        }
+    return true;
+}

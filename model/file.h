@@ -43,6 +43,9 @@ bool hs_file_commit(hs_file *file, hs_error *err);
 /* Gives up: removes the temporary file; path is as it was. An empty *file may be abandoned. */
 void hs_file_abandon(hs_file *file);
 
+/* Makes a folder, and those above it, where they are not there. */
+bool hs_folder_make(const char *path, hs_error *err);
+
 /* Reads a whole file, pipes included. *bytes, from malloc, belongs to the caller; a zero byte that
  * *size doesn't count stands behind the last one. A file of more than limit bytes is refused. On
  * failure *bytes is NULL and *size is 0. */

@@ -47,6 +47,9 @@ hs_time hs_cycles_guard(hs_model *m, const hs_state *s, hs_time kick) {
     }
     const hs_time last = busy ? hs_later(out, write->last) : kick;
     hs_account(m, HS_STAGE_guard, kick, last, busy, blocked);
+    m->traffic.read += busy * (hs_record_bits(s) + HS_POINT_WORD + 1) + read->served;
+    m->traffic.written += write->served + busy * 2 * HS_VERDICT_WORD +
+                          (uint64_t)(number - s->vertices) * HS_BIRTH_WORDS;
     m->report->conflicts += read->own.count + write->own.count;
     return hs_later(kick, last) + 1;
 }

@@ -30,21 +30,24 @@ void hs_log_item(hs_model *m, uint32_t probe, hs_time t, const hs_state *s, uint
 /* --- The sequencer ------------------------------------------------------------------------------
  */
 
-static void log_kick(hs_model *m, uint32_t stage, const hs_state *s) {
-    hs_log_words(m, HS_PROBE_kick, m->now, stage, s->generation, hs_items(s), s->vertices, 0);
-}
-
 /* A stage that works now; the next one starts in the cycle behind the one in which it is seen at
- * rest. */
-static void run_stage(hs_model *m, uint32_t stage, const hs_state *s,
+ * rest. also: stages that start with it. */
+static void run_stage(hs_model *m, uint32_t stage, uint32_t also, const hs_state *s,
                       hs_time (*cycles)(hs_model *, const hs_state *, hs_time)) {
-    log_kick(m, stage, s);
+    hs_log_words(m, HS_PROBE_kick, m->now, stage, s->generation, hs_items(s), s->vertices,
+                 1u << (stage - HS_STAGE_classify) | also);
     m->now = cycles(m, s, m->now) + 1;
 }
 
 static void send_control(hs_model *m, uint32_t kind) {
     const hs_op op = {.kind = kind};
     m->now = hs_emit_op(m, m->now, &op) + 1;
+}
+
+/* Runs whose every step refines all there is, and in which vertices leave in the last one alone. */
+static bool is_whole(const hs_model *m, const hs_state *s) {
+    return s->settings.uniform && !s->settings.limit &&
+           (m->closed || s->settings.boundary != HS_BOUNDARY_KEPT);
 }
 
 /* Whether smooth is left out: an even step of a uniform run without borders, but the last ones. */
@@ -84,20 +87,27 @@ static void decided(void *context, const hs_state *s) {
         m->exhausted = true;
         return;
     }
-    run_stage(m, HS_STAGE_classify, s, hs_cycles_classify);
-    if (first) send_control(m, HS_OP_HEADER);
-    if (!m->ends && !uniform) run_stage(m, HS_STAGE_select, s, hs_cycles_select);
-    if (!m->ends && (first || !uniform) && s->selected)
-        run_stage(m, HS_STAGE_guard, s, hs_cycles_guard);
+    const bool whole = is_whole(m, s);
     m->has_smooth = first || !uniform || !smooth_idle(m, s) || s->status == HS_STATUS_STOPPED;
-    if (m->has_smooth) run_stage(m, HS_STAGE_smooth, s, hs_cycles_smooth);
+    m->pass = whole && hs_odd_step(s) && !first && !s->last && !s->finish;
+    m->edges = whole && !hs_odd_step(s) && s->generation >= 3;
+    if (m->pass) return; /* split goes along: when golden has done its work */
+    if (m->edges)
+        m->now += 2; /* no classify: the sequencer passes by */
+    else
+        run_stage(m, HS_STAGE_classify, 0, s, hs_cycles_classify);
+    if (first) send_control(m, HS_OP_HEADER);
+    if (!m->ends && !uniform) run_stage(m, HS_STAGE_select, 0, s, hs_cycles_select);
+    if (!m->ends && (first || !uniform) && s->selected)
+        run_stage(m, HS_STAGE_guard, 0, s, hs_cycles_guard);
+    if (m->has_smooth) run_stage(m, HS_STAGE_smooth, 0, s, hs_cycles_smooth);
 }
 
 /* What smooth's writes hold is known when golden's smooth is done. */
 static void smoothed(void *context, const hs_state *s) {
     hs_model *m = context;
-    if (!m->log || !m->has_smooth) return;
     hs_log *log = m->log;
+    if (!log) return;
     hs_transaction *t = log->probe[HS_PROBE_smooth_out].transaction;
     for (size_t i = m->smooth_logged; i < log->probe[HS_PROBE_smooth_out].count; i++)
         if (t[i].word[0] & 1)
@@ -108,7 +118,14 @@ static void smoothed(void *context, const hs_state *s) {
 
 static void divided(void *context, const hs_state *s) {
     hs_model *m = context;
-    run_stage(m, HS_STAGE_split, s, hs_cycles_split);
+    if (m->pass) {
+        const uint32_t split = 1u << (HS_STAGE_split - HS_STAGE_classify);
+        run_stage(m, HS_STAGE_classify, split, s, hs_cycles_pass);
+        run_stage(m, HS_STAGE_smooth, 0, s, hs_cycles_smooth);
+        smoothed(m, s);
+    } else {
+        run_stage(m, HS_STAGE_split, 0, s, hs_cycles_split);
+    }
     if (!s->finish && !s->last) m->now++; /* the sequencer's NEXT */
 }
 
@@ -117,7 +134,7 @@ static void refused(hs_model *m, const hs_state *s) {
     m->now = hs_cycles_receive(m, s) + 1;
     if (s->parsed) {
         hs_log *log = m->log;
-        log_kick(m, HS_STAGE_classify, s);
+        hs_log_words(m, HS_PROBE_kick, m->now, HS_STAGE_classify, 0, hs_items(s), s->vertices, 1);
         m->log = NULL; /* golden has not computed what passes */
         m->now = hs_cycles_classify(m, s, m->now) + 1;
         m->log = log;
@@ -142,7 +159,7 @@ static bool power_of_two(uint32_t number, uint32_t least, uint32_t most) {
     return number >= least && number <= most && (number & (number - 1)) == 0;
 }
 
-static bool good_config(const hs_model_config *c, hs_error *err) {
+bool hs_model_config_good(const hs_model_config *c, hs_error *err) {
     if (!power_of_two(c->port, 1, 4))
         return hs_fail(err, HS_EXIT_USAGE, "port is %u; it should be 1, 2 or 4 records", c->port);
     if (!power_of_two(c->banks, 2, HS_MOST_BANKS))
@@ -161,7 +178,7 @@ static bool good_config(const hs_model_config *c, hs_error *err) {
 }
 
 hs_model *hs_model_new(hs_limits limits, hs_model_config config, hs_error *err) {
-    if (!good_config(&config, err)) return NULL;
+    if (!hs_model_config_good(&config, err)) return NULL;
     hs_model *m = calloc(1, sizeof *m);
     if (m) m->golden = hs_golden_new(limits);
     if (!m || !m->golden) {
@@ -219,6 +236,7 @@ bool hs_model_run(hs_model *m, const hs_packet *in, hs_stalls stalls, hs_packet 
     m->log = log;
     m->entered = m->exhausted = false;
     m->smooth_logged = 0;
+    m->traffic = (hs_model_traffic){0};
     if (log) hs_log_clear(log);
     hs_golden_mark_always(m->golden, log != NULL);
     hs_emit_begin(m);
@@ -231,6 +249,10 @@ bool hs_model_run(hs_model *m, const hs_packet *in, hs_stalls stalls, hs_packet 
     if (m->exhausted || m->emit.exhausted)
         return hs_fail(err, HS_EXIT_INTERNAL, "view %u: out of memory in the model", in->view);
     return true;
+}
+
+hs_model_traffic hs_model_traffic_of(const hs_model *m) {
+    return m->traffic;
 }
 
 uint64_t hs_model_word_cycle(const hs_model *m, size_t word) {

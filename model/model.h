@@ -32,6 +32,17 @@ typedef struct hs_model_config {
 /* What the register ARCHITECTURE says. */
 hs_model_config hs_model_config_decode(uint32_t architecture);
 
+/* HS_EXIT_USAGE, with the parameter, its value and what it may be, if one is out of range. */
+bool hs_model_config_good(const hs_model_config *config, hs_error *err);
+
+/* Bits of all memories, windows and FIFOs of a pipeline with the default capacities. */
+uint64_t hs_model_memory_bits(const hs_model_config *config);
+
+/* Bits that a view read from the memories and wrote to them. */
+typedef struct hs_model_traffic {
+    uint64_t read, written;
+} hs_model_traffic;
+
 typedef struct hs_model hs_model;
 
 /* NULL and *err (HS_EXIT_USAGE) if a number of the configuration is out of range. */
@@ -43,6 +54,9 @@ void hs_model_free(hs_model *model);
  * that costs time. False only when memory is exhausted. */
 bool hs_model_run(hs_model *model, const hs_packet *in, hs_stalls stalls, hs_packet *out,
                   hs_golden_report *report, hs_cycle_report *cycles, hs_log *log, hs_error *err);
+
+/* Of the last run. */
+hs_model_traffic hs_model_traffic_of(const hs_model *model);
 
 /* As hs_rtl_word_cycle: when a word of the last run's output was taken. */
 uint64_t hs_model_word_cycle(const hs_model *model, size_t word);

@@ -85,6 +85,7 @@ typedef struct hs_window {
     hs_time bank[HS_MOST_BANKS];  /* its latest service */
     hs_time slot[HS_MOST_WINDOW]; /* the last cycle in which the item there keeps a new one out */
     hs_time last;                 /* gather: the latest item left; scatter: the latest service */
+    uint64_t served;              /* requests */
     hs_conflicts own, *conflicts; /* windows that are counted as one share theirs */
 } hs_window;
 
@@ -113,6 +114,7 @@ static inline hs_time hs_window_lane(hs_window *w, hs_time t) {
 static inline hs_time hs_window_serve(hs_window *w, hs_time t, const uint32_t index[HS_LANES],
                                       uint32_t lanes) {
     hs_time last = 0;
+    w->served += (uint64_t)__builtin_popcount(lanes);
     for (uint32_t i = 0; i < HS_LANES; i++) {
         if (!(lanes >> i & 1)) continue;
         hs_time *bank = &w->bank[index[i] & w->bank_mask];
@@ -154,6 +156,25 @@ static inline void hs_scatter(hs_window *w, hs_time t, const uint32_t index[HS_L
     w->slot[w->next++ & w->slot_mask] = served;
     w->last = hs_later(w->last, served);
 }
+
+/* --- Words of the memories, in bits (docs/architecture.md), at the default capacities -----------
+ */
+enum {
+    HS_VERTEX_BITS = 19, /* of a vertex' number, a quad's, a half-edge's */
+    HS_QUAD_BITS = 19,
+    HS_HALFEDGE_BITS = HS_QUAD_BITS + 2,
+    HS_POSITION_WORD = 128,
+    HS_SUM_WORD = 168,
+    HS_SHARP_WORD = 18,
+    HS_RING_WORD = 177,
+    HS_MARK_WORD = 13,
+    HS_HALF_WORD = 2 * HS_VERTEX_BITS + 2 * HS_HALFEDGE_BITS + 19,
+    HS_EDGE_WORD = 132,
+    HS_POINT_WORD = 130,
+    HS_VERDICT_WORD = HS_VERTEX_BITS + 2,
+    HS_NUMBER_WORD = HS_QUAD_BITS + 4,
+    HS_BIRTH_WORDS = HS_POSITION_WORD + HS_SUM_WORD + HS_SHARP_WORD + HS_MARK_WORD
+};
 
 /* --- emit.sv, pack.sv ---------------------------------------------------------------------------
  */
@@ -201,11 +222,14 @@ struct hs_model {
     const hs_packet *in;
     hs_stalls stalls;
     hs_cycle_report *report;
+    hs_model_traffic traffic;
     hs_log *log;          /* or NULL */
     bool entered;         /* golden has accepted the packet */
     bool closed;          /* it has neither border nor boundary */
     bool ends;            /* this generation is the last one */
     bool has_smooth;      /* smooth is not left out in this step */
+    bool pass;            /* classify and split work in one pass */
+    bool edges;           /* no classify: the pass before left what new vertices are made of */
     size_t smooth_logged; /* transactions of smooth_out that are complete */
     hs_time now;          /* when the sequencer starts the next stage */
     hs_emit_cycles emit;
@@ -214,7 +238,8 @@ struct hs_model {
     bool exhausted;
 
     hs_window read, look, write, write_upper; /* of the stage at work */
-    hs_queue items, waiting, ops;
+    hs_window pass_read, pass_write;          /* of classify, in one pass with split */
+    hs_queue items, waiting, ops, pass_items, positions;
 };
 
 /* Items that a fold before which a window stands holds before it asks to stop. */
@@ -244,7 +269,18 @@ static inline void hs_log_words(hs_model *m, uint32_t probe, hs_time t, uint32_t
     if (m->log) hs_log_add(m->log, probe, t, item, (const uint32_t[4]){a, b, c, d});
 }
 
+/* From the last item of a face to its point: face_geometry.sv. */
+enum { HS_GEOMETRY = 5 };
+void hs_log_face(hs_model *m, hs_time t, const hs_state *s, uint32_t f);
+void hs_log_contribution(hs_model *m, hs_time t, const hs_state *s, uint32_t f, uint32_t item,
+                         uint32_t lanes);
+
 void hs_log_item(hs_model *m, uint32_t probe, hs_time t, const hs_state *s, uint32_t item);
+
+/* The record of an item: both halves, or in generation 0 one. */
+static inline uint64_t hs_record_bits(const hs_state *s) {
+    return s->generation ? 2 * HS_HALF_WORD : HS_HALF_WORD;
+}
 
 /* The stages. kick: the cycle in which the sequencer starts it; the result: the one in which it
  * sees that the stage has come to rest. s: golden's state when the stage has done its work. */
@@ -254,6 +290,11 @@ hs_time hs_cycles_select(hs_model *m, const hs_state *s, hs_time kick);
 hs_time hs_cycles_guard(hs_model *m, const hs_state *s, hs_time kick);
 hs_time hs_cycles_smooth(hs_model *m, const hs_state *s, hs_time kick);
 hs_time hs_cycles_split(hs_model *m, const hs_state *s, hs_time kick);
+
+/* Classify and split in one pass (rtl/split.sv, pass_i). */
+hs_time hs_cycles_pass(hs_model *m, const hs_state *s, hs_time kick);
+/* retag.sv, beside smooth: when it is at rest. */
+hs_time hs_cycles_retag(const hs_model *m, const hs_state *s, hs_time kick);
 
 void hs_emit_begin(hs_model *m);
 /* Offers an op from cycle t on; the cycle in which emit takes it. Ops come in order. */

@@ -145,6 +145,13 @@ hs_time hs_cycles_receive(hs_model *m, const hs_state *s) {
         r->activity[HS_STAGE_receive][HS_ACTIVITY_starved] = a.end - a.first - (a.records - 1);
     r->items_in[HS_STAGE_receive] = r->items_out[HS_STAGE_receive] = a.records;
 
+    /* Loaded, sharpness cleared; a corner is stored twice, and its vertex' sharpness updated. The
+     * twins are checked beside classify. */
+    const uint64_t corners = a.records > FIRST_VERTEX + a.vertices ? s->halfedges : 0;
+    m->traffic.written += a.vertices * (HS_POSITION_WORD + HS_SHARP_WORD) +
+                          corners * (4 * HS_HALF_WORD + HS_SHARP_WORD);
+    m->traffic.read += corners * (HS_SHARP_WORD + 2 * HS_HALF_WORD);
+
     hs_time drained = a.end + 1, quantized_at = 0;
     if (a.last_vertex) {
         /* The magnitude is complete one cycle behind the last vertex. */
@@ -156,6 +163,8 @@ hs_time hs_cycles_receive(hs_model *m, const hs_state *s) {
         if (a.all_vertices) {
             quantized(m, s, flown);
             quantized_at = flown + s->vertices + QUANTIZE + 1;
+            m->traffic.read += (uint64_t)s->vertices * HS_POSITION_WORD;
+            m->traffic.written += (uint64_t)s->vertices * (HS_BIRTH_WORDS - HS_SHARP_WORD);
             r->activity[HS_STAGE_quantize][HS_ACTIVITY_busy] = s->vertices;
             r->activity[HS_STAGE_quantize][HS_ACTIVITY_starved] = QUANTIZE;
             r->items_in[HS_STAGE_quantize] = r->items_out[HS_STAGE_quantize] = s->vertices;

@@ -37,6 +37,8 @@ hs_time hs_cycles_select(hs_model *m, const hs_state *s, hs_time kick) {
     }
     const hs_time last = busy ? hs_later(out, write->last) : kick;
     hs_account(m, HS_STAGE_select, kick, last, busy, blocked);
+    m->traffic.read += busy * (hs_record_bits(s) + HS_POINT_WORD) + read->served * HS_MARK_WORD;
+    m->traffic.written += write->served + s->faces;
     m->report->conflicts += read->own.count + write->own.count;
     return hs_later(kick, last) + 1;
 }

@@ -80,6 +80,17 @@ module classify #(
     output logic [(VW-BANK_BITS)*(1<<BANK_BITS)-1:0] ring_wr_row_o,
     output logic [          177*(1<<BANK_BITS)-1:0] ring_wr_data_o,
 
+    // split, which takes the items along in a run that needs no decisions (pass_i): an item goes on
+    // in a cycle with pass_valid_o and pass_ready_i
+    input  logic            pass_i,
+    output logic            pass_valid_o,
+    input  logic            pass_ready_i,
+    output logic [  QW-1:0] pass_item_o,
+    output logic [4*VW-1:0] pass_origin_o,
+    output logic [   511:0] pass_position_o,
+    output logic [   127:0] pass_point_o,
+    output logic [     3:0] pass_boundary_o,
+
     // face memory
     output logic          point_valid_o,
     output logic [QW-1:0] point_face_o,
@@ -225,10 +236,20 @@ module classify #(
       .result_marks_i({face_hits, face_back, face_front}),
       .result_last_position_i(face_last_position), .result_last_border_i(face_last_border),
       .result_sum_i(face_sum), .result_nonquad_i(face_nonquad), .out_valid_o(give),
-      .out_ready_i(take), .out_mask_o(give_mask), .out_index_o(give_index),
+      .out_ready_i(take && pass_ready), .out_mask_o(give_mask), .out_index_o(give_index),
       .out_marks_o(give_marks), .out_addend_o(give_addend), .out_ring_o(give_ring),
-      .out_nonquad_o(give_nonquad), .out_corner_o(give_corner), .item_out_o
+      .out_nonquad_o(give_nonquad), .out_corner_o(give_corner),
+      .out_position_o(pass_position_o), .out_point_o(pass_point_o),
+      .out_boundary_o(pass_boundary_o), .item_out_o
   );
+
+  // Both that take the item take it in the same cycle.
+  logic pass_ready;
+
+  assign pass_ready = !pass_i || pass_ready_i;
+  assign pass_valid_o = pass_i && give && take;
+  assign pass_item_o = give_corner;
+  assign pass_origin_o = give_index;
 
   logic [(1<<BANK_BITS)-1:0] update, touched;
   logic accumulate_active;
@@ -239,7 +260,7 @@ module classify #(
       .TAG_WIDTH(QW),
       .WINDOW_BITS(WINDOW_BITS), .LANES(LANES)
   ) u_accumulate (
-      .clk_i, .rst_i, .generation_i, .sum_i(odd_i), .in_valid_i(give), .in_ready_o(take),
+      .clk_i, .rst_i, .generation_i, .sum_i(odd_i), .in_valid_i(give && pass_ready), .in_ready_o(take),
       .in_mask_i(give_mask), .in_index_i(give_index), .in_marks_i(give_marks),
       .in_addend_i(give_addend), .in_tag_i(give_corner), .mark_rd_en_o, .mark_rd_row_o,
       .mark_rd_data_i, .mark_wr_en_o, .mark_wr_row_o, .mark_wr_data_o, .sum_rd_en_o, .sum_rd_row_o,
@@ -253,7 +274,7 @@ module classify #(
       .BANK_BITS(BANK_BITS),
       .WINDOW_BITS(WINDOW_BITS), .LANES(LANES)
   ) u_ring (
-      .clk_i, .rst_i, .in_valid_i(give && take && limit_i), .in_mask_i(give_mask),
+      .clk_i, .rst_i, .in_valid_i(give && take && pass_ready && limit_i), .in_mask_i(give_mask),
       .in_index_i(give_index), .in_addend_i(give_ring), .in_nonquad_i(give_nonquad),
       .update_i(update), .touched_i(touched), .ring_rd_en_o, .ring_rd_row_o, .ring_rd_data_i,
       .ring_wr_en_o, .ring_wr_row_o, .ring_wr_data_o

@@ -70,7 +70,10 @@ module contributions #(
     output logic [ 4*132-1:0] out_addend_o, // of T: S(32.0) each
     output logic [ 4*136-1:0] out_ring_o,   // of M: S(33.0) each
     output logic            out_nonquad_o,
-    output logic [  QW-1:0] out_corner_o,   // generation 0: its number
+    output logic [  QW-1:0] out_corner_o,   // the item's number
+    output logic [   511:0] out_position_o, // of the item's corners
+    output logic [   127:0] out_point_o,    // of its new vertex
+    output logic [     3:0] out_boundary_o,
     output logic            item_out_o
 );
 
@@ -240,6 +243,9 @@ module contributions #(
   assign out_mask_o = !quads_i ? 4'b0001 : half ? 4'b0111 : 4'b1111;
   assign out_nonquad_o = nonquad;
   assign out_corner_o = corner_q;
+  assign out_position_o = position;
+  assign out_point_o = point;
+  assign out_boundary_o = boundary;
   assign item_out_o = take;
   assign active_o = fold_active || valid_q;
 

@@ -33,6 +33,7 @@ module face_memory #(
     input  logic          face_rd_en_i,
     input  logic [QW-1:0] face_rd_i,
     output logic [ 127:0] point_o,
+    output logic [ 511:0] points_o,   // of the faces in line with this one, two or four
     output logic          front_o,
     output logic          stop_o,
     output logic          selected_o,
@@ -59,19 +60,32 @@ module face_memory #(
     bank_of = BANKS'(en) << bank;
   endfunction
 
+  localparam int unsigned LINE_BITS = BANK_BITS < 2 ? 1 : 2;
+  localparam int unsigned LINE = 1 << LINE_BITS;
+
+  logic [LINE*130-1:0] line;
+  logic [LINE_BITS-1:0] lane_q;
+
   banked_memory #(
       .WIDTH(130),
-      .ROW_BITS(QW),
-      .BANK_BITS(0)
+      .ROW_BITS(QW - LINE_BITS),
+      .BANK_BITS(LINE_BITS)
   ) u_point (
       .clk_i,
-      .rd_en_i(face_rd_en_i),
-      .rd_row_i(face_rd_i),
-      .rd_data_o({stop_o, front_o, point_o}),
-      .wr_en_i(point_wr_en_i),
-      .wr_row_i(point_wr_face_i),
-      .wr_data_i({point_wr_stop_i, point_wr_front_i, point_wr_data_i})
+      .rd_en_i({LINE{face_rd_en_i}}),
+      .rd_row_i({LINE{face_rd_i[QW-1:LINE_BITS]}}),
+      .rd_data_o(line),
+      .wr_en_i(LINE'(point_wr_en_i) << point_wr_face_i[LINE_BITS-1:0]),
+      .wr_row_i({LINE{point_wr_face_i[QW-1:LINE_BITS]}}),
+      .wr_data_i({LINE{point_wr_stop_i, point_wr_front_i, point_wr_data_i}})
   );
+
+  always_ff @(posedge clk_i) if (face_rd_en_i) lane_q <= face_rd_i[LINE_BITS-1:0];
+
+  assign {stop_o, front_o, point_o} = line[130*32'(lane_q)+:130];
+  for (genvar i = 0; i < 4; i++) begin : g_points
+    assign points_o[128*i+:128] = line[130*(i%LINE)+:128];
+  end
 
   banked_memory #(
       .WIDTH(1),

@@ -30,7 +30,9 @@ rtl/receive_verdict.sv
 rtl/record_memory.sv
 rtl/refine.sv
 rtl/registers.sv
+rtl/retag.sv
 rtl/ring.sv
+rtl/row_lanes.sv
 rtl/scatter.sv
 rtl/select.sv
 rtl/send_groups.sv
@@ -38,6 +40,7 @@ rtl/sequencer.sv
 rtl/sharpness.sv
 rtl/short_edges.sv
 rtl/smooth.sv
+rtl/smooth_walk.sv
 rtl/split.sv
 rtl/split_faces.sv
 rtl/split_number.sv

@@ -119,7 +119,8 @@ module halfstep #(
 
   // --- The generation, from the sequencer --------------------------------------------------------
   logic [7:0] generation;
-  logic odd, quads, side, all, last_step, finish, refused;
+  logic odd, quads, side, all, last_step, finish, refused, pass, edge_points;
+  logic [7:0] marked;
   logic [QW:0] items;
   logic [VW:0] vertices, new_vertices;
 
@@ -243,14 +244,16 @@ module halfstep #(
   logic [3:0] split_mask, split_triangle, split_child, split_candidate;
   logic [383:0] split_op_vertex;
   logic [7:0] split_sides;
-  logic [4:0] refine_in, refine_out;
+  logic [4:0] refine_in;
+  logic [9:0] refine_out;
 
   refine #(
       .VW(VW), .QW(QW), .BANK_BITS(BANK_BITS),
       .WINDOW_BITS(WINDOW_BITS), .LANES(LANES), .READ_LATENCY(READ_LATENCY), .OPS(OPS)
   ) u_refine (
       .clk_i, .rst_i, .generation_i(generation), .odd_i(odd), .quads_i(quads), .side_i(side),
-      .all_i(all), .last_step_i(last_step), .finish_i(finish), .items_i(items),
+      .all_i(all), .last_step_i(last_step), .finish_i(finish), .pass_i(pass), .edge_i(edge_points),
+      .marked_i(marked), .items_i(items),
       .vertices_i(vertices), .new_vertices_i(new_vertices), .uniform_i(uniform),
       .guarded_i(guarded), .limit_i(limit), .corners_stay_i(corners_stay),
       .front_depth_i(front_depth), .silhouette_depth_i(silhouette_depth), .min_edge_i(min_edge),
@@ -346,7 +349,8 @@ module halfstep #(
       .split_active_i(split_active), .children_i(children), .op_valid_o(control_op),
       .op_ready_i(op_ready), .op_trailer_o(control_trailer), .op_generation_o(control_generation),
       .emit_done_i(emit_done), .generation_o(generation), .odd_o(odd), .quads_o(quads),
-      .side_o(side), .items_o(items), .vertices_o(vertices), .new_o(new_vertices), .all_o(all),
+      .side_o(side), .items_o(items), .vertices_o(vertices), .new_o(new_vertices), .pass_o(pass), .edge_o(edge_points),
+      .marked_o(marked), .all_o(all),
       .last_o(last_step), .finish_o(finish), .refused_o(refused)
   );
 
@@ -360,7 +364,7 @@ module halfstep #(
 
   for (genvar s = 0; s < 5; s++) begin : g_refine_items
     assign items_in[3*(hs_pkg::STAGE_classify+s)+:3] = 3'(refine_in[s]);
-    assign items_out[3*(hs_pkg::STAGE_classify+s)+:3] = 3'(refine_out[s]);
+    assign items_out[3*(hs_pkg::STAGE_classify+s)+:3] = 3'(refine_out[2*s+:2]);
   end
 
 endmodule

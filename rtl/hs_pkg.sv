@@ -203,7 +203,7 @@ package hs_pkg;
   localparam logic [31:0] PROBE_clip = 32'd3;
   // a vertex for the position memory: x, y, z, w
   localparam logic [31:0] PROBE_quantized = 32'd4;
-  // a stage starts, its number: generation, items, vertices
+  // a stage starts, its number: generation, items, vertices, all that start, a bit each from classify on
   localparam logic [31:0] PROBE_kick = 32'd5;
   // an item is taken: origins
   localparam logic [31:0] PROBE_classify_in = 32'd6;
@@ -223,7 +223,7 @@ package hs_pkg;
   localparam logic [31:0] PROBE_guard_new = 32'd13;
   // an item's verdict: refined, selected, number
   localparam logic [31:0] PROBE_guard_out = 32'd14;
-  // a vertex, or the first of a row's, is picked: lanes
+  // a vertex is picked, or those of a row, or new ones: those of the row, those that leave, how many new ones
   localparam logic [31:0] PROBE_smooth_in = 32'd15;
   // a vertex is written: {sent, moved}, its x, y, z
   localparam logic [31:0] PROBE_smooth_out = 32'd16;

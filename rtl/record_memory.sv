@@ -58,6 +58,14 @@ module record_memory #(
     output logic [     7:0] forced_o,
     output logic            last_o,
 
+    // the middles of the edges that the quads in line with this one were made of, four or as many as
+    // there are banks: read with the record, or alone
+    input  logic          edge_i,          // there are any
+    input  logic          edge_rd_en_i,
+    input  logic [QW-1:0] edge_rd_item_i,
+    output logic [ 127:0] edge_point_o,
+    output logic [ 511:0] edge_points_o,
+
     // check_twins: corners in order, and their twins
     input  logic          a_rd_en_i,
     input  logic [QW-1:0] a_rd_index_i,
@@ -80,7 +88,10 @@ module record_memory #(
     input logic [    HALF*BANKS-1:0] lower_wr_data_i,
     input logic [         BANKS-1:0] upper_wr_en_i,
     input logic [ROW_BITS*BANKS-1:0] upper_wr_row_i,
-    input logic [    HALF*BANKS-1:0] upper_wr_data_i
+    input logic [    HALF*BANKS-1:0] upper_wr_data_i,
+    input logic                      sum_wr_i,         // and half the sums of the edges
+    input logic [     132*BANKS-1:0] lower_wr_sum_i,
+    input logic [     132*BANKS-1:0] upper_wr_sum_i
 );
 
   function automatic logic [BANKS-1:0] bank_of(input logic en, input logic [BANK_BITS-1:0] bank);
@@ -190,6 +201,73 @@ module record_memory #(
   assign candidate_o = lower_selected && (upper_selected || !quads_i);
   assign forced_o = quads_i && upper_forced < lower_forced ? upper_forced : lower_forced;
   assign last_o = quads_i || lower_twin[HW];
+
+  // --- Middles of edges: a quarter of two halves of a sum ----------------------------------------------
+  localparam int unsigned LINE = BANKS < 4 ? BANKS : 4;
+
+  logic edge_rd;
+  logic [QW-1:0] edge_item;
+  logic [BANK_BITS-1:0] edge_bank_q;
+  logic [BANKS-1:0] edge_banks;
+  logic [132*BANKS-1:0] lower_sum, upper_sum;
+
+  assign edge_rd = edge_i && (edge_rd_en_i || rd_en_i);
+  assign edge_item = edge_rd_en_i ? edge_rd_item_i : rd_item_i;
+  assign edge_banks = !edge_rd ? '0 :
+      ((BANKS'(1) << LINE) - BANKS'(1)) << (edge_item[BANK_BITS-1:0] & ~BANK_BITS'(LINE - 1));
+
+  always_ff @(posedge clk_i) if (edge_rd) edge_bank_q <= edge_item[BANK_BITS-1:0];
+
+  banked_memory #(
+      .WIDTH(132),
+      .ROW_BITS(ROW_BITS),
+      .BANK_BITS(BANK_BITS)
+  ) u_lower_sum (
+      .clk_i,
+      .rd_en_i(edge_banks),
+      .rd_row_i({BANKS{edge_item[QW-1:BANK_BITS]}}),
+      .rd_data_o(lower_sum),
+      .wr_en_i(sum_wr_i ? lower_wr_en_i : '0),
+      .wr_row_i(lower_wr_row_i),
+      .wr_data_i(lower_wr_sum_i)
+  );
+
+  banked_memory #(
+      .WIDTH(132),
+      .ROW_BITS(ROW_BITS),
+      .BANK_BITS(BANK_BITS)
+  ) u_upper_sum (
+      .clk_i,
+      .rd_en_i(edge_banks),
+      .rd_row_i({BANKS{edge_item[QW-1:BANK_BITS]}}),
+      .rd_data_o(upper_sum),
+      .wr_en_i(sum_wr_i ? upper_wr_en_i : '0),
+      .wr_row_i(upper_wr_row_i),
+      .wr_data_i(upper_wr_sum_i)
+  );
+
+  // To nearest, ties to even.
+  function automatic logic [31:0] quarter(input logic en, input logic [32:0] a,
+                                          input logic [32:0] b);
+    logic [33:0] sum;
+    sum = {a[32], a} + {b[32], b};
+    sum = sum + 34'd1 + 34'(sum[2]);
+    quarter = en ? sum[33:2] : 32'd0;
+  endfunction
+
+  logic [132*LINE-1:0] lower_line, upper_line;
+
+  assign lower_line = lower_sum[132*LINE*(32'(edge_bank_q)/LINE)+:132*LINE];
+  assign upper_line = upper_sum[132*LINE*(32'(edge_bank_q)/LINE)+:132*LINE];
+
+  always_comb begin
+    edge_points_o = '0;
+    for (int i = 0; i < LINE; i++)
+      for (int k = 0; k < 4; k++)
+        edge_points_o[i*128+k*32+:32] =
+            quarter(edge_i, lower_line[i*132+k*33+:33], upper_line[i*132+k*33+:33]);
+  end
+  assign edge_point_o = edge_points_o[128*(32'(edge_bank_q)%LINE)+:128];
 
   // --- Corners, for check_twins -----------------------------------------------------------------------------
   logic [HALF-1:0] a, b;

@@ -31,6 +31,9 @@ module refine #(
     // the generation, from the sequencer
     input  logic [7:0] generation_i,
     input  logic odd_i, quads_i, side_i, all_i, last_step_i, finish_i,
+    input  logic pass_i,        // classify and split work in one pass
+    input  logic edge_i,        // new vertices are made of the sums that such a pass left
+    input  logic [7:0] marked_i,  // the generation whose classify wrote the marks
     input  logic [QW:0] items_i,
     input  logic [VW:0] vertices_i, new_vertices_i,
 
@@ -98,7 +101,9 @@ module refine #(
     output logic split_first_o, split_last_o,
 
     // counters, stage by stage from classify to split
-    output logic [4:0] busy_o, starved_o, blocked_o, item_in_o, item_out_o,
+    output logic [4:0] busy_o, starved_o, blocked_o, item_in_o,
+    output logic [9:0] item_out_o,  // two bits a stage
+
     output logic [3:0] conflict_o
 );
 
@@ -122,17 +127,21 @@ module refine #(
   logic [BANKS-1:0] wide_rd_en, leave_wr_en;
   logic [VR-1:0] wide_rd_row, leave_wr_row;
   logic [128*BANKS-1:0] wide_rd_data;
-  logic smooth_row_rd, smooth_rd, smooth_wr, smooth_move, smooth_old, smooth_sent;
+  logic smooth_row_rd, smooth_rd, smooth_wr, smooth_move, smooth_sent;
+  logic [BANKS-1:0] keep_wr_en;
+  logic [VR-1:0] keep_wr_row;
   logic [VR-1:0] smooth_row;
   logic [VW-1:0] smooth_rd_index, smooth_wr_vertex;
-  logic [127:0] smooth_position, smooth_before;
+  logic [127:0] smooth_position;
   logic [167:0] single_sum;
   logic [176:0] single_ring;
   logic [17:0] single_sharp, sharp_rd_data, sharp_wr_data;
   logic sharp_rd, sharp_wr;
   logic [VW-1:0] sharp_rd_index, sharp_wr_index;
   logic [3:0] guard_sharpness, split_sharpness;
-  logic guard_birth, split_birth, split_sent;
+  logic guard_birth, split_birth, split_sent, retag_active, smooth_walks;
+  logic [BANKS-1:0] retag_en;
+  logic [VR-1:0] retag_row;
   logic [VW-1:0] guard_vertex, split_vertex, birth_vertex;
   logic [127:0] guard_position, split_position, birth_position;
 
@@ -158,7 +167,7 @@ module refine #(
       .birth_vertex_i(birth_vertex), .birth_position_i(birth_position),
       .birth_generation_i(quantize_wr_i ? 8'hff : generation_i), .generation_i,
       .birth_sharp_wr_i(guard_birth || split_birth),
-      .birth_sharpness_i(split_birth ? split_sharpness : guard_sharpness),
+      .birth_sharpness_i(split_birth ? split_sharpness : guard_sharpness), .birth_quiet_i(pass_i),
       .sharp_rd_en_i(sharp_rd), .sharp_rd_index_i(sharp_rd_index),
       .sharp_rd_data_o(sharp_rd_data), .sharp_wr_en_i(sharp_wr), .sharp_wr_index_i(sharp_wr_index),
       .sharp_wr_data_i(sharp_wr_data), .ring_rd_en_i(ring_rd_en), .ring_rd_row_i(ring_rd_row),
@@ -175,11 +184,23 @@ module refine #(
       .held_wr_row_i(held_wr_row), .row_rd_en_i(smooth_row_rd), .row_rd_i(smooth_row),
       .held_rd_data_o(held), .smooth_rd_en_i(smooth_rd), .smooth_rd_index_i(smooth_rd_index),
       .single_sum_o(single_sum), .wide_rd_en_i(wide_rd_en), .wide_rd_row_i(wide_rd_row),
-      .wide_rd_data_o(wide_rd_data), .leave_wr_en_i(leave_wr_en), .leave_wr_row_i(leave_wr_row),
+      .wide_rd_data_o(wide_rd_data), .leave_wr_en_i(leave_wr_en | retag_en),
+      .leave_wr_row_i(retag_active ? retag_row : leave_wr_row), .leave_new_i(retag_active),
       .smooth_wr_i(smooth_wr), .smooth_wr_vertex_i(smooth_wr_vertex),
-      .smooth_wr_move_i(smooth_move), .smooth_wr_old_i(smooth_old), .smooth_wr_sent_i(smooth_sent),
-      .smooth_wr_position_i(smooth_position), .smooth_wr_before_i(smooth_before)
+      .smooth_wr_move_i(smooth_move), .smooth_wr_sent_i(smooth_sent), .keep_wr_en_i(keep_wr_en),
+      .keep_wr_row_i(keep_wr_row),
+      .smooth_wr_position_i(smooth_position)
   );
+
+  // What was born in one pass with classify gets its marks while smooth is at work; in such a step none
+  // leave.
+  retag #(
+      .VW(VW), .BANK_BITS(BANK_BITS)
+  ) u_retag (
+      .clk_i, .rst_i, .start_i(kick_smooth_i && pass_i), .first_i(vertices_i[VW-1:0]),
+      .count_i(new_vertices_i), .active_o(retag_active), .wr_en_o(retag_en), .wr_row_o(retag_row)
+  );
+  assign smooth_active_o = smooth_walks || retag_active;
 
   // --- Record and face memories: the stages read them in turn ------------------------------------
   logic classify_rd, select_rd, guard_rd, split_rd, candidate, record_last, half;
@@ -198,6 +219,9 @@ module refine #(
   logic [BANKS-1:0] lower_wr_en, upper_wr_en;
   logic [QR*BANKS-1:0] lower_wr_row, upper_wr_row;
   logic [HALF*BANKS-1:0] lower_wr_data, upper_wr_data;
+  logic [132*BANKS-1:0] lower_wr_sum, upper_wr_sum;
+  logic [127:0] edge_point;
+  logic [511:0] edge_points;
 
   always_comb begin
     record_item = classify_item;
@@ -222,7 +246,9 @@ module refine #(
       .corner_last_i, .rd_en_i(classify_rd || select_rd || guard_rd || split_rd), .rd_item_i(record_item),
       .origin_o(origin), .twin_o(twin), .border_o(border), .boundary_o(boundary), .sharp_o(sharp),
       .tag_o(tag), .half_o(half), .candidate_o(candidate),
-      .forced_o(forced), .last_o(record_last), .a_rd_en_i(check_a_rd), .a_rd_index_i(check_a_index),
+      .forced_o(forced), .last_o(record_last), .edge_i, .edge_rd_en_i(smooth_face_rd),
+      .edge_rd_item_i(QW'(smooth_face)), .edge_point_o(edge_point), .edge_points_o(edge_points),
+      .sum_wr_i(pass_i), .lower_wr_sum_i(lower_wr_sum), .upper_wr_sum_i(upper_wr_sum), .a_rd_en_i(check_a_rd), .a_rd_index_i(check_a_index),
       .a_origin_o(a_origin), .a_twin_o(a_twin), .a_border_o(a_border), .a_sharpness_o(a_sharpness), .a_first_o(a_first),
       .a_last_o(a_last), .b_rd_en_i(check_b_rd), .b_rd_index_i(check_b_index),
       .b_origin_o(b_origin), .b_twin_o(b_twin), .b_border_o(b_border), .b_sharpness_o(b_sharpness), .lower_wr_en_i(lower_wr_en),
@@ -233,6 +259,7 @@ module refine #(
   logic point_valid, point_front, point_stop, front, stop, selected_valid, selected_verdict, selected;
   logic [QW-1:0] point_face, selected_face;
   logic [127:0] point_wr_data, point;
+  logic [511:0] points;
   logic verdict_valid, number_wr;
   logic [QW-1:0] verdict_item, number_wr_item;
   logic [VW+1:0] verdict_wr_data, own_verdict;
@@ -250,7 +277,7 @@ module refine #(
       .selected_wr_en_i(selected_valid), .selected_wr_face_i(selected_face),
       .selected_wr_data_i(selected_verdict),
       .face_rd_en_i(select_rd || guard_rd || split_rd || smooth_face_rd), .face_rd_i(face_item),
-      .point_o(point), .front_o(front), .stop_o(stop), .selected_o(selected), .verdict_wr_en_i(verdict_valid),
+      .point_o(point), .points_o(points), .front_o(front), .stop_o(stop), .selected_o(selected), .verdict_wr_en_i(verdict_valid),
       .verdict_wr_item_i(verdict_item), .verdict_wr_data_i(verdict_wr_data), .own_rd_en_i(split_rd),
       .own_rd_item_i(split_item), .own_o(own_verdict), .verdict_rd_en_i(verdict_rd_en),
       .verdict_rd_row_i(verdict_rd_row), .verdict_rd_data_o(verdicts), .number_wr_en_i(number_wr),
@@ -271,11 +298,21 @@ module refine #(
   // --- classify; in generation 0 check_twins beside it -------------------------------------------
   logic [1:0] classify_conflict;
 
+  // --- In one pass, from classify to split -------------------------------------------------------
+  logic pass_valid, pass_ready;
+  logic [QW-1:0] pass_item;
+  logic [4*VW-1:0] pass_origin;
+  logic [511:0] pass_position;
+  logic [127:0] pass_point;
+  logic [3:0] pass_boundary;
+
   classify #(
       .VW(VW), .QW(QW), .BANK_BITS(BANK_BITS),
       .WINDOW_BITS(WINDOW_BITS), .LANES(LANES), .READ_LATENCY(READ_LATENCY)
   ) u_classify (
-      .clk_i, .rst_i, .start_i(kick_classify_i), .items_i, .quads_i, .odd_i, .generation_i,
+      .clk_i, .rst_i, .start_i(kick_classify_i), .pass_i, .pass_valid_o(pass_valid),
+      .pass_ready_i(pass_ready), .pass_item_o(pass_item), .pass_origin_o(pass_origin),
+      .pass_position_o(pass_position), .pass_point_o(pass_point), .pass_boundary_o(pass_boundary), .items_i, .quads_i, .odd_i, .generation_i,
       .limit_i, .corners_stay_i, .min_edge_i, .width_i, .height_i, .record_half_i(half),
       .record_boundary_i(boundary), .record_sharp_i(sharp), .record_tag_i(tag),
       .stop_o(point_stop), .ring_rd_en_o(ring_rd_en), .ring_rd_row_o(ring_rd_row),
@@ -322,7 +359,7 @@ module refine #(
       .chosen_wr_row_o(chosen_wr_row), .selected_valid_o(selected_valid),
       .selected_face_o(selected_face), .selected_verdict_o(selected_verdict), .busy_o(busy_o[1]),
       .starved_o(starved_o[1]), .blocked_o(blocked_o[1]), .item_in_o(item_in_o[1]),
-      .item_out_o(item_out_o[1]), .conflict_o(select_conflict)
+      .item_out_o(item_out_o[2]), .conflict_o(select_conflict)
   );
 
   guard #(
@@ -341,7 +378,7 @@ module refine #(
       .verdict_item_o(verdict_item), .verdict_o(verdict_wr_data), .new_valid_o(guard_birth),
       .new_vertex_o(guard_vertex), .new_position_o(guard_position), .busy_o(busy_o[2]),
       .starved_o(starved_o[2]), .blocked_o(blocked_o[2]), .item_in_o(item_in_o[2]),
-      .item_out_o(item_out_o[2]), .conflict_o(guard_conflict)
+      .item_out_o(item_out_o[4]), .conflict_o(guard_conflict)
   );
 
   // --- smooth, split -----------------------------------------------------------------------------
@@ -352,27 +389,31 @@ module refine #(
       .OPS(OPS)
   ) u_smooth (
       .clk_i, .rst_i, .start_i(kick_smooth_i), .count_i(vertices_i), .new_i(new_vertices_i), .odd_i,
-      .last_i(last_step_i), .finish_i, .generation_i, .active_o(smooth_active_o),
+      .last_i(last_step_i), .finish_i, .generation_i(marked_i), .active_o(smooth_walks),
       .limit_i, .corners_stay_i, .sharp_rd_data_i(single_sharp), .ring_rd_data_i(single_ring),
       .send_at_level_o,
       .row_rd_en_o(smooth_row_rd), .row_rd_o(smooth_row), .mark_rd_data_i(mark),
       .held_rd_data_i(held), .vertex_rd_en_o(smooth_rd), .vertex_rd_index_o(smooth_rd_index),
       .position_rd_data_i(single_position_o), .sum_rd_data_i(single_sum), .new_from_face_i(all_i),
-      .face_rd_en_o(smooth_face_rd), .face_rd_index_o(smooth_face), .face_rd_data_i(point),
+      .face_rd_en_o(smooth_face_rd), .face_rd_index_o(smooth_face), .face_rd_data_i(edge_i ? edge_points : points),
       .write_valid_o(smooth_wr), .write_vertex_o(smooth_wr_vertex), .write_move_o(smooth_move),
-      .write_old_o(smooth_old), .write_sent_o(smooth_sent), .write_position_o(smooth_position),
-      .write_before_o(smooth_before), .wide_rd_en_o(wide_rd_en), .wide_rd_row_o(wide_rd_row),
+      .write_sent_o(smooth_sent), .write_position_o(smooth_position),
+      .keep_wr_en_o(keep_wr_en), .keep_wr_row_o(keep_wr_row), .wide_rd_en_o(wide_rd_en), .wide_rd_row_o(wide_rd_row),
       .wide_rd_data_i(wide_rd_data), .leave_wr_en_o(leave_wr_en), .leave_wr_row_o(leave_wr_row),
       .group_valid_o, .group_ready_i, .group_vertex_o, .group_position_o, .send_valid_o, .send_ready_i, .send_vertex_o,
       .send_position_o, .busy_o(busy_o[3]), .starved_o(starved_o[3]), .blocked_o(blocked_o[3]),
-      .item_in_o(item_in_o[3]), .item_out_o(item_out_o[3])
+      .item_in_o(item_in_o[3]), .item_out_o(item_out_o[7:6])
   );
 
   split #(
       .VW(VW), .QW(QW), .BANK_BITS(BANK_BITS),
       .WINDOW_BITS(WINDOW_BITS), .LANES(LANES), .READ_LATENCY(READ_LATENCY), .OPS(OPS)
   ) u_split (
-      .clk_i, .rst_i, .start_i(kick_split_i), .items_i, .quads_i, .odd_i, .all_i,
+      .clk_i, .rst_i, .start_i(kick_split_i), .pass_i, .pass_take_i(item_in_o[0]), .pass_valid_i(pass_valid),
+      .pass_ready_o(pass_ready), .pass_item_i(pass_item), .pass_origin_i(pass_origin),
+      .pass_position_i(pass_position), .pass_point_i(pass_point), .pass_boundary_i(pass_boundary),
+      .edge_i, .edge_point_i(edge_point), .generation_i, .lower_wr_sum_o(lower_wr_sum),
+      .upper_wr_sum_o(upper_wr_sum), .items_i, .quads_i, .odd_i, .all_i,
       .last_i(last_step_i), .record_boundary_i(boundary), .record_sharp_i(sharp),
       .record_tag_i(tag), .record_half_i(half), .birth_sharpness_o(split_sharpness),
       .finish_i, .first_new_i(vertices_i[VW-1:0]), .active_o(split_active_o), .children_o,
@@ -392,8 +433,10 @@ module refine #(
       .op_candidate_o(split_candidate_o), .op_vertex_o(split_op_vertex_o),
       .op_sides_o(split_sides_o), .op_first_o(split_first_o), .op_last_o(split_last_o),
       .busy_o(busy_o[4]), .starved_o(starved_o[4]), .blocked_o(blocked_o[4]),
-      .item_in_o(item_in_o[4]), .item_out_o(item_out_o[4]), .conflict_o(split_conflict)
+      .item_in_o(item_in_o[4]), .item_out_o(item_out_o[8]), .conflict_o(split_conflict)
   );
+
+  assign {item_out_o[9], item_out_o[5], item_out_o[3], item_out_o[1]} = 4'd0;
 
   // --- Counters ----------------------------------------------------------------------------------
   assign conflict_o = 4'(classify_conflict[0]) + 4'(classify_conflict[1]) + 4'(select_conflict[0]) +

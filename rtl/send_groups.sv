@@ -3,11 +3,11 @@
 // send_groups: packs vertices that leave side by side into groups of four, the most that emit takes
 // at a time.
 //
-//   up to 4 vertices of a row --> lanes --> rest of 0 to 3 and lanes --> FIFO of groups --> emit
-//                                                         '--> behind the last: one by one
+//   up to 4 vertices --> rest of 0 to 3 and these behind them --> FIFO of groups --> emit
+//                                                '--> behind the last: one by one
 //
-//   * valid_i: vertices of row row_i, at most four, whose banks are in mask_i; positions_i has a
-//     word for every bank. Never refused; stall_o asks the source to stop: 3 more may come.
+//   * count_i vertices a cycle, 0 to 4, in the lowest lanes. Never refused; stall_o asks the source to
+//     stop: as many as make three more groups may come.
 //   * Groups leave in order, always full (group_*). When nothing comes any more (end_i, level), what
 //     is left over, 0 to 3 vertices, leaves one by one (single_*): whatever follows may join them in
 //     a group of the stream.
@@ -15,18 +15,15 @@
 
 module send_groups #(
     parameter int unsigned VW = 19,  // width of a vertex number
-    parameter int unsigned BANK_BITS = 3,
     parameter int unsigned GROUPS = 8  // that wait for emit; 8 or more
 ) (
     input logic clk_i,
     input logic rst_i,
 
-    input  logic                          valid_i,
-    input  logic [    (1<<BANK_BITS)-1:0] mask_i,
-    input  logic [      VW-BANK_BITS-1:0] row_i,
-    input  logic [128*(1<<BANK_BITS)-1:0] positions_i,
-    output logic                          stall_o,
-    input  logic                          end_i,
+    input  logic [           2:0] count_i,
+    input  logic [4*(VW+128)-1:0] lanes_i,  // {vertex, position}
+    output logic                  stall_o,
+    input  logic                  end_i,
 
     output logic            group_valid_o,
     input  logic            group_ready_i,
@@ -41,28 +38,14 @@ module send_groups #(
     output logic active_o
 );
 
-  localparam int unsigned BANKS = 1 << BANK_BITS;
   localparam int unsigned WORD = VW + 128;  // {vertex, position}
 
-  // --- The row's vertices in lanes, the lowest first ----------------------------------------------
-  logic [4*WORD-1:0] lanes, lanes_q;
-  logic [2:0] count, count_q;
-
-  always_comb begin
-    lanes = '0;
-    count = 3'd0;
-    if (valid_i)
-      for (int b = 0; b < BANKS; b++) begin
-        for (int i = 0; i < 4; i++)
-          if (mask_i[b] && count == 3'(i))
-            lanes[i*WORD+:WORD] = {row_i, BANK_BITS'(b), positions_i[b*128+:128]};
-        count = count + 3'(mask_i[b]);
-      end
-  end
+  logic [4*WORD-1:0] lanes_q;
+  logic [2:0] count_q;
 
   always_ff @(posedge clk_i) begin
-    count_q <= count;
-    if (valid_i) lanes_q <= lanes;
+    count_q <= count_i;
+    if (count_i != 3'd0) lanes_q <= lanes_i;
     if (rst_i) count_q <= 3'd0;
   end
 

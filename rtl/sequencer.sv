@@ -9,6 +9,9 @@
 //   * One view at a time, one stage at a time, but for receive, transform and quantize, which
 //     overlap, and check_twins, which runs beside the first classify.
 //   * kick_* starts a stage for one cycle; *_active_i tells that it is still at work.
+//   * A uniform run decides nothing between classify and split: where no vertex leaves early, and no
+//     limit is wanted, they work in one pass in the odd steps from generation 2 on, but for the last
+//     one, and split leaves the new vertices of the next, even, step, which needs no classify.
 //   * Left out: select and, after generation 0, guard in a uniform run; guard where nothing is
 //     selected; smooth where no vertex moves or leaves.
 //   * The settings of a generation hold from its classify to the end of its split.
@@ -91,6 +94,9 @@ module sequencer #(
     output logic [QW:0] items_o,    // corners or quads
     output logic [VW:0] vertices_o, // before this step's new ones
     output logic [VW:0] new_o,      // this step's new ones
+    output logic        pass_o,     // classify and split work in one pass
+    output logic        edge_o,     // no classify: the step before was such a pass
+    output logic [ 7:0] marked_o,   // the generation whose classify ran last
     output logic        all_o,      // uniform, after generation 0: every quad is refined
     output logic        last_o,     // the children are final
     output logic        finish_o,   // nothing is refined: all active faces are final
@@ -161,6 +167,15 @@ module sequencer #(
   assign new_o = (VW + 1)'(refined);
   assign refused_o = status_q != OK && status_q != STOPPED;
 
+  // Runs whose every step refines all there is, and in which vertices leave in the last one alone.
+  logic whole, stops;
+
+  assign whole = uniform_i && !limit_i && (closed_i || !kept_i);
+  assign stops = ends || exceeds || empty;
+  assign pass_o = whole && odd_o && quads_o && !last_o && !stops && !finish_q;
+  assign edge_o = whole && !odd_o && generation_q >= 8'd3;
+  assign marked_o = edge_o ? generation_q - 8'd1 : generation_q;
+
   // In an even step without borders, nothing moves and nothing is held.
   logic smooth_idle;
 
@@ -180,12 +195,12 @@ module sequencer #(
   // --- Kicks ------------------------------------------------------------------------------------------------
   assign kick_receive_o = kick_q && state_q == RECEIVE;
   assign kick_quantize_o = vertices_done_q && !transform_busy_i;
-  assign kick_classify_o = kick_q && state_q == CLASSIFY;
+  assign kick_classify_o = kick_q && state_q == CLASSIFY && !edge_o;
   assign kick_check_o = kick_classify_o && !quads_o;
   assign kick_select_o = kick_q && state_q == SELECT;
   assign kick_guard_o = kick_q && state_q == GUARD;
   assign kick_smooth_o = kick_q && state_q == SMOOTH;
-  assign kick_split_o = kick_q && state_q == SPLIT;
+  assign kick_split_o = kick_q && (state_q == SPLIT || (state_q == CLASSIFY && pass_o));
 
   assign op_valid_o = state_q == HEADER || state_q == TRAILER;
   assign op_trailer_o = state_q == TRAILER;
@@ -232,7 +247,8 @@ module sequencer #(
       end
 
       CLASSIFY:
-      if (!kick_q && !classify_active_i && !(check_active_i && !quads_o)) begin
+      if (!kick_q && !classify_active_i && !(check_active_i && !quads_o) &&
+          !(split_active_i && pass_o)) begin
         kick_q <= 1'b1;
         if (!quads_o && topology_error) begin
           status_q <= valence_first ? hs_pkg::STATUS_BAD_VALENCE :
@@ -274,8 +290,8 @@ module sequencer #(
 
       SMOOTH:
       if (!kick_q && !smooth_active_i) begin
-        kick_q  <= 1'b1;
-        state_q <= SPLIT;
+        kick_q  <= !pass_o;
+        state_q <= pass_o ? NEXT : SPLIT;
       end
 
       SPLIT: if (!kick_q && !split_active_i) state_q <= finish_q || last_o ? TRAILER : NEXT;

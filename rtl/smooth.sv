@@ -71,15 +71,17 @@ module smooth #(
     input  logic         new_from_face_i,
     output logic         face_rd_en_o,
     output logic [VW-1:0] face_rd_index_o,
-    input  logic [127:0] face_rd_data_i,
+    input  logic [511:0] face_rd_data_i,  // of the faces in line
 
     output logic          write_valid_o,
     output logic [VW-1:0] write_vertex_o,
     output logic          write_move_o,
-    output logic          write_old_o,
     output logic          write_sent_o,
     output logic [ 127:0] write_position_o,
-    output logic [ 127:0] write_before_o,
+
+    // what was read in the cycle before is kept as the old position, a vertex or several of a row
+    output logic [    (1<<BANK_BITS)-1:0] keep_wr_en_o,
+    output logic [      VW-BANK_BITS-1:0] keep_wr_row_o,
 
     // position memory, several vertices of a row, and their marks: they have been sent
     output logic [    (1<<BANK_BITS)-1:0] wide_rd_en_o,
@@ -104,160 +106,115 @@ module smooth #(
     output logic starved_o,
     output logic blocked_o,
     output logic item_in_o,
-    output logic item_out_o
+    output logic [1:0] item_out_o
 );
 
-  localparam int unsigned BANKS = 1 << BANK_BITS;
   localparam int unsigned ROW_BITS = VW - BANK_BITS;
 
-  // --- Rows: which of a row's vertices have work ------------------------------------------------------
-  logic rows_q, fresh_q;  // rows remain; the row that is shown was just read
-  logic [ROW_BITS-1:0] row_q;
-  logic [BANKS-1:0] work, move, leave, border, done_q, pick;
-  logic advance, stall, pick_row, last_row, wide;
+  // --- Which vertices, and when -------------------------------------------------------------------
+  logic walking, waits, stall, single_busy;
+  logic single, single_new, single_move, single_leave, single_border;
+  logic row, new_pick;
+  logic [VW-1:0] single_vertex, new_vertex;
+  logic [ROW_BITS-1:0] row_number;
+  logic [(1<<BANK_BITS)-1:0] row_mask, row_leave, new_mask;
+  logic [2:0] new_count;
 
-  assign wide = WIDE && !limit_i && (!odd_i || finish_i);
+  smooth_walk #(
+      .VW(VW),
+      .BANK_BITS(BANK_BITS),
+      .WIDE(WIDE)
+  ) u_walk (
+      .clk_i, .rst_i, .start_i, .count_i, .new_i, .odd_i, .last_i, .finish_i, .limit_i,
+      .new_from_face_i, .generation_i, .active_o(walking), .waits_o(waits), .row_rd_en_o,
+      .row_rd_o, .mark_rd_data_i, .held_rd_data_i, .stall_i(stall), .single_busy_i(single_busy),
+      .single_o(single), .single_vertex_o(single_vertex), .single_new_o(single_new),
+      .single_move_o(single_move), .single_leave_o(single_leave),
+      .single_border_o(single_border), .row_o(row), .row_number_o(row_number),
+      .row_mask_o(row_mask), .row_leave_o(row_leave), .new_o(new_pick),
+      .new_vertex_o(new_vertex), .new_count_o(new_count)
+  );
 
-  always_comb begin
-    for (int b = 0; b < BANKS; b++) begin
-      logic active, stays;
-      active = mark_rd_data_i[b*13+5+:8] == generation_i &&
-          {1'b0, row_q, BANK_BITS'(b)} < count_i;
-      border[b] = mark_rd_data_i[b*13+3];
-      stays = held_rd_data_i[b] || border[b];
-      move[b] = active && odd_i && !stays && !mark_rd_data_i[b*13+4] && !finish_i;
-      leave[b] = active && !mark_rd_data_i[b*13+4] && (stays || last_i || finish_i);
-      work[b] = active && ((odd_i && !wide) || leave[b]) && !done_q[b];
-    end
-  end
-
-  // The lowest, or the lowest four.
-  always_comb begin
-    logic [BANKS-1:0] left;
-    left = work;
-    pick = '0;
-    for (int i = 0; i < 4; i++)
-      if (i == 0 || wide) begin
-        pick = pick | (left & (~left + BANKS'(1)));
-        left = left & (left - BANKS'(1));
-      end
-  end
-  assign pick_row = rows_q && fresh_q && work != '0 && !stall;
-  assign advance = rows_q && fresh_q && (work == '0 || (!stall && work == pick));
-  assign last_row = {1'b0, row_q, {BANK_BITS{1'b1}}} + (VW + 1)'(1) >= count_i;
-  assign row_rd_en_o = start_i || advance;
-  assign row_rd_o = start_i ? '0 : row_q + ROW_BITS'(1);
-
-  always_ff @(posedge clk_i) begin
-    if (row_rd_en_o) begin
-      row_q  <= row_rd_o;
-      done_q <= '0;
-    end else if (pick_row) begin
-      done_q <= done_q | pick;
-    end
-    if (start_i) begin
-      rows_q  <= count_i != '0;
-      fresh_q <= 1'b1;
-    end else if (advance && last_row) begin
-      rows_q <= 1'b0;
-    end
-    if (rst_i) rows_q <= 1'b0;
-  end
-
-  // --- New vertices, after a last step -------------------------------------------------------------------
-  logic [VW:0] new_left_q;
-  logic [VW-1:0] new_q;
-  logic pick_new;
-  logic [2:0] new_count;  // that are picked at once: of a row
-  logic [BANKS-1:0] new_mask;
-  logic [BANK_BITS:0] row_left;
-
-  assign row_left = (BANK_BITS + 1)'(BANKS) - {1'b0, new_q[BANK_BITS-1:0]};
-  always_comb begin
-    new_count = 3'd4;
-    if (32'(row_left) < 32'd4) new_count = 3'(row_left);
-    if (new_left_q < (VW + 1)'(new_count)) new_count = 3'(new_left_q);
-    if (!wide || new_from_face_i) new_count = 3'd1;
-    new_mask = ((BANKS'(1) << new_count) - BANKS'(1)) << new_q[BANK_BITS-1:0];
-  end
-
-  assign pick_new = !rows_q && new_left_q != '0 && !stall;
-
-  always_ff @(posedge clk_i) begin
-    if (start_i) begin
-      new_left_q <= last_i ? new_i : '0;
-      new_q <= count_i[VW-1:0];
-    end else if (pick_new) begin
-      new_left_q <= new_left_q - (VW + 1)'(new_count);
-      new_q <= new_q + VW'(new_count);
-    end
-    if (rst_i) new_left_q <= '0;
-  end
-
-  // --- Read --------------------------------------------------------------------------------------------
-  logic [BANK_BITS-1:0] pick_bank;
+  // --- Read --------------------------------------------------------------------------------------
   logic read_q, read_move_q, read_leave_q, read_border_q, read_new_q;
   logic [VW-1:0] read_vertex_q;
   logic [127:0] position;
 
-  always_comb begin
-    pick_bank = '0;
-    for (int b = 0; b < BANKS; b++) if (pick[b]) pick_bank = BANK_BITS'(b);
-  end
-  assign vertex_rd_en_o = (pick_row || pick_new) && !wide;
-  assign face_rd_en_o = pick_new && new_from_face_i;
-  assign face_rd_index_o = new_q - count_i[VW-1:0];
-  assign vertex_rd_index_o = pick_row ? {row_q, pick_bank} : new_q;
+  assign vertex_rd_en_o = single;
+  assign vertex_rd_index_o = single_vertex;
+  assign face_rd_en_o = new_pick && new_from_face_i;
+  assign face_rd_index_o = new_vertex - count_i[VW-1:0];
+  assign new_mask = (((1<<BANK_BITS))'(1) << new_count) - ((1<<BANK_BITS))'(1);
+  assign wide_rd_en_o = row ? row_mask :
+      new_pick && !new_from_face_i ? new_mask << new_vertex[BANK_BITS-1:0] : '0;
+  assign wide_rd_row_o = row ? row_number : new_vertex[VW-1:BANK_BITS];
 
   always_ff @(posedge clk_i) begin
-    read_q <= vertex_rd_en_o;
-    if (vertex_rd_en_o) begin
-      read_vertex_q <= vertex_rd_index_o;
-      read_move_q <= pick_row && (move & pick) != '0;
-      read_leave_q <= pick_new || (leave & pick) != '0;
-      read_border_q <= (border & pick) != '0;
-      read_new_q <= pick_new;
+    read_q <= single;
+    if (single) begin
+      read_vertex_q <= single_vertex;
+      read_move_q <= single_move;
+      read_leave_q <= single_leave;
+      read_border_q <= single_border;
+      read_new_q <= single_new;
     end
     if (rst_i) read_q <= 1'b0;
   end
 
-  assign position = read_new_q && new_from_face_i ? face_rd_data_i : position_rd_data_i;
+  assign position = position_rd_data_i;
 
-  // --- Wide: what leaves where it is ------------------------------------------------------------------------
-  logic wide_q, wide_new_q, groups_stall, groups_active, single_valid, single_ready;
-  logic [BANKS-1:0] wide_mask_q;
+  // --- What is picked together: the words that came, in lanes ---------------------------------------
+  localparam int unsigned LANE = VW + 128;  // {vertex, position}
+  localparam int unsigned LINE = BANK_BITS < 2 ? 2 : 4;  // faces
+
+  logic wide_q, wide_new_q, from_face_q;
+  logic [(1<<BANK_BITS)-1:0] wide_mask_q, wide_leave_q;
   logic [ROW_BITS-1:0] wide_row_q;
-  logic [VW-1:0] single_vertex;
-  logic [127:0] single_position;
-
-  assign wide_rd_en_o = !wide ? '0 : pick_row ? pick : pick_new ? new_mask : '0;
-  assign wide_rd_row_o = pick_row ? row_q : new_q[VW-1:BANK_BITS];
+  logic [VW-1:0] wide_vertex_q;
+  logic [2:0] wide_count_q, row_count;
+  logic [4*LANE-1:0] row_lane, face_lane;
 
   always_ff @(posedge clk_i) begin
-    wide_q <= wide_rd_en_o != '0;
-    if (wide_rd_en_o != '0) begin
+    wide_q <= row || new_pick;
+    if (row || new_pick) begin
+      wide_new_q <= new_pick;
+      from_face_q <= new_pick && new_from_face_i;
       wide_mask_q <= wide_rd_en_o;
+      wide_leave_q <= row ? row_leave : wide_rd_en_o;
       wide_row_q <= wide_rd_row_o;
-      wide_new_q <= pick_new;
+      wide_vertex_q <= new_vertex;
+      wide_count_q <= new_count;
     end
     if (rst_i) wide_q <= 1'b0;
   end
 
-  assign leave_wr_en_o = wide_q && !wide_new_q ? wide_mask_q : '0;
+  row_lanes #(
+      .WIDTH(128),
+      .ROW_BITS(ROW_BITS),
+      .BANK_BITS(BANK_BITS)
+  ) u_lanes (
+      .mask_i(wide_q ? wide_leave_q : '0), .row_i(wide_row_q), .words_i(wide_rd_data_i),
+      .count_o(row_count), .lanes_o(row_lane)
+  );
+
+  // Faces come in lines; the first that is wanted may not be its line's first.
+  always_comb begin
+    logic [1:0] face;
+    face = wide_vertex_q[1:0] - count_i[1:0];
+    for (int i = 0; i < 4; i++)
+      face_lane[i*LANE+:LANE] = {
+        wide_vertex_q + VW'(i), face_rd_data_i[128*((32'(face)+i)%LINE)+:128]
+      };
+  end
+
+  assign leave_wr_en_o = wide_q && !wide_new_q ? wide_leave_q : '0;
   assign leave_wr_row_o = wide_row_q;
 
-  send_groups #(
-      .VW(VW),
-      .BANK_BITS(BANK_BITS),
-      .GROUPS(OPS / 2)
-  ) u_groups (
-      .clk_i, .rst_i, .valid_i(wide_q), .mask_i(wide_mask_q), .row_i(wide_row_q),
-      .positions_i(wide_new_q && new_from_face_i ? {BANKS{face_rd_data_i}} : wide_rd_data_i),
-      .stall_o(groups_stall), .end_i(!rows_q && new_left_q == '0 && !wide_q), .group_valid_o,
-      .group_ready_i, .group_vertex_o, .group_position_o, .single_valid_o(single_valid),
-      .single_ready_i(single_ready), .single_vertex_o(single_vertex),
-      .single_position_o(single_position), .active_o(groups_active)
-  );
+  // In an odd step what was read is kept, a vertex or several of a row.
+  assign keep_wr_en_o = !odd_i ? '0 :
+      read_q && !read_new_q ? ((1<<BANK_BITS))'(1) << read_vertex_q[BANK_BITS-1:0] :
+      wide_q && !wide_new_q ? wide_mask_q : '0;
+  assign keep_wr_row_o = read_q ? read_vertex_q[VW-1:BANK_BITS] : wide_row_q;
 
   // --- Which mask ----------------------------------------------------------------------------------------
   logic stays, crease, moves, limits, at_level;
@@ -364,18 +321,17 @@ module smooth #(
   assign write_valid_o = retire && !along_new;
   assign write_vertex_o = along_vertex;
   assign write_move_o = along_move;
-  assign write_old_o = odd_i;
   assign write_sent_o = along_leave;
   assign write_position_o = quotient;
-  assign write_before_o = along_position;
 
-  // --- Send -----------------------------------------------------------------------------------------------------
+  // --- Send: in groups, or with limit_i one by one ------------------------------------------------
   logic [$clog2(OPS):0] send_level;
-  logic [127:0] leaves_at, moved_position;
-  logic moved_valid, moved_at_level;
-  logic [VW-1:0] moved_vertex;
+  logic [127:0] leaves_at, moved_position, rest_position;
+  logic limit_valid, rest_valid, leaves_now, groups_stall, groups_active, limit_at_level;
+  logic [VW-1:0] moved_vertex, rest_vertex;
 
   assign leaves_at = along_move || along_limit ? quotient : along_position;
+  assign leaves_now = retire && along_leave;
 
   /* verilator lint_off PINCONNECTEMPTY */
   fifo #(
@@ -384,32 +340,56 @@ module smooth #(
   ) u_send (
       .clk_i,
       .rst_i,
-      .in_valid_i(retire && along_leave),
+      .in_valid_i(leaves_now && (limit_i || !WIDE)),
       .in_ready_o(),  // stall keeps it high
       .in_data_i({along_at_level, along_vertex, leaves_at}),
-      .out_valid_o(moved_valid),
+      .out_valid_o(limit_valid),
       .out_ready_i(send_ready_i),
-      .out_data_o({moved_at_level, moved_vertex, moved_position}),
+      .out_data_o({limit_at_level, moved_vertex, moved_position}),
       .level_o(send_level)
   );
   /* verilator lint_on PINCONNECTEMPTY */
 
+  logic [2:0] lane_count;
+  logic [4*LANE-1:0] lane;
+
+  always_comb begin
+    lane_count = from_face_q ? wide_count_q : row_count;
+    lane = from_face_q ? face_lane : row_lane;
+    if (!wide_q) lane_count = 3'd0;
+    if (leaves_now && !limit_i && WIDE) begin
+      lane_count = 3'd1;
+      lane = {{3 * LANE{1'b0}}, along_vertex, leaves_at};
+    end
+  end
+
+  send_groups #(
+      .VW(VW),
+      .GROUPS(OPS / 2)
+  ) u_groups (
+      .clk_i, .rst_i, .count_i(lane_count), .lanes_i(lane), .stall_o(groups_stall),
+      .end_i(!walking && !wide_q && !single_busy), .group_valid_o, .group_ready_i,
+      .group_vertex_o, .group_position_o, .single_valid_o(rest_valid),
+      .single_ready_i(send_ready_i && !limit_valid), .single_vertex_o(rest_vertex),
+      .single_position_o(rest_position), .active_o(groups_active)
+  );
+
   // Six may be on their way, and one is picked before the level shows the one before it.
-  assign stall = wide ? groups_stall : send_level > ($clog2(OPS) + 1)'(OPS - 8);
+  assign stall = limit_i || !WIDE ? send_level > ($clog2(OPS) + 1)'(OPS - 8) : groups_stall;
+  assign single_busy = read_q || flight_q != '0;
 
   // The two ways never have something at the same time.
-  assign send_valid_o = moved_valid || single_valid;
-  assign single_ready = send_ready_i && !moved_valid;
-  assign send_vertex_o = moved_valid ? moved_vertex : single_vertex;
-  assign send_position_o = moved_valid ? moved_position : single_position;
-  assign send_at_level_o = moved_valid && moved_at_level;
+  assign send_valid_o = limit_valid || rest_valid;
+  assign send_vertex_o = limit_valid ? moved_vertex : rest_vertex;
+  assign send_position_o = limit_valid ? moved_position : rest_position;
+  assign send_at_level_o = limit_valid && limit_at_level;
 
   // --- Counters ----------------------------------------------------------------------------------------------
-  assign active_o = rows_q || new_left_q != '0 || read_q || flight_q != '0 || wide_q || groups_active || send_valid_o;
-  assign busy_o = vertex_rd_en_o || wide_rd_en_o != '0;
-  assign blocked_o = stall && ((rows_q && work != '0) || (!rows_q && new_left_q != '0));
+  assign active_o = walking || single_busy || wide_q || groups_active || send_valid_o;
+  assign busy_o = single || row || new_pick;
+  assign blocked_o = waits;
   assign starved_o = active_o && !busy_o && !blocked_o;
   assign item_in_o = busy_o;
-  assign item_out_o = retire || wide_q;
+  assign item_out_o = 2'(retire) + 2'(wide_q);
 
 endmodule

@@ -24,6 +24,11 @@
 //     settings hold until active_o falls. children_o: quads of the next generation so far.
 //   * all_i: every face is refined, and the verdict memory is not used: face q's new vertex is
 //     first_new_i + q. finish_i: none is refined.
+//   * pass_i: classify hands its items on, in one pass with its own work; fetch rests. Then a quad's
+//     position goes along, and each child half carries half the sum that its quad's new vertex, the
+//     middle of the edge, is a quarter of: w + F, or on a sharp edge 2w. pass_take_i: classify
+//     fetches an item, whose record is shown.
+//   * edge_i: new vertices are made of such sums (edge_point_i), not by classify.
 //   * Rate: a quad, or in generation 0 a corner, a cycle; less where bank conflicts fill a window, or
 //     emit is behind.
 
@@ -48,6 +53,7 @@ module split #(
     input  logic        last_i,       // the children are final: they leave at once
     input  logic        finish_i,     // nothing is refined: all active faces are final
     input  logic [VW-1:0] first_new_i,
+    input  logic [   7:0] generation_i,
     output logic        active_o,
     output logic [QW:0] children_o,
 
@@ -68,6 +74,19 @@ module split #(
     input  logic [       127:0] face_point_i,
     input  logic [      VW+1:0] own_verdict_i,  // {refined, selected, number}
 
+    // from classify, in one pass
+    input  logic            pass_i,
+    input  logic            pass_take_i,
+    input  logic            pass_valid_i,
+    output logic            pass_ready_o,
+    input  logic [  QW-1:0] pass_item_i,
+    input  logic [4*VW-1:0] pass_origin_i,
+    input  logic [   511:0] pass_position_i,
+    input  logic [   127:0] pass_point_i,
+    input  logic [     3:0] pass_boundary_i,
+    input  logic            edge_i,
+    input  logic [   127:0] edge_point_i,
+
     // verdict memory, for the faces beyond
     output logic [              (1<<BANK_BITS)-1:0] verdict_rd_en_o,
     output logic [(QW-BANK_BITS)*(1<<BANK_BITS)-1:0] verdict_rd_row_o,
@@ -85,9 +104,11 @@ module split #(
     output logic [                 (1<<BANK_BITS)-1:0] lower_wr_en_o,
     output logic [   (QW-BANK_BITS)*(1<<BANK_BITS)-1:0] lower_wr_row_o,
     output logic [(2*VW+2*QW+23)*(1<<BANK_BITS)-1:0] lower_wr_data_o,
+    output logic [            132*(1<<BANK_BITS)-1:0] lower_wr_sum_o,  // pass_i: S(32.0) each
     output logic [                 (1<<BANK_BITS)-1:0] upper_wr_en_o,
     output logic [   (QW-BANK_BITS)*(1<<BANK_BITS)-1:0] upper_wr_row_o,
     output logic [(2*VW+2*QW+23)*(1<<BANK_BITS)-1:0] upper_wr_data_o,
+    output logic [            132*(1<<BANK_BITS)-1:0] upper_wr_sum_o,
 
     // new vertices: born here if all_i, else just marked as sent
     output logic          birth_o,
@@ -123,7 +144,7 @@ module split #(
   localparam int unsigned HW = QW + 2;  // width of a half-edge's number
 
   // --- Fetch; the item's own verdict -------------------------------------------------------------
-  logic fetch_valid, fetch_ready, fetch_active;
+  logic fetch_valid, fetch_ready, fetch_active, fetch_rd_en;
   logic [QW-1:0] fetch_item;
   logic own_refined, own_selected;
   logic [VW-1:0] own_number;
@@ -131,7 +152,7 @@ module split #(
   fetch #(
       .BITS(QW)
   ) u_fetch (
-      .clk_i, .rst_i, .start_i, .count_i(items_i), .rd_en_o(record_rd_en_o),
+      .clk_i, .rst_i, .start_i, .count_i(pass_i ? '0 : items_i), .rd_en_o(fetch_rd_en),
       .rd_item_o(record_rd_item_o), .rd_face_o(record_rd_face_o), .valid_o(fetch_valid),
       .ready_i(fetch_ready), .last_i(record_last_i), .item_o(fetch_item),
       /* verilator lint_off PINCONNECTEMPTY */
@@ -140,9 +161,47 @@ module split #(
       .active_o(fetch_active)
   );
 
+  assign record_rd_en_o = fetch_rd_en && !pass_i;
   assign own_refined = !finish_i && (all_i || own_verdict_i[VW+1]);
   assign own_selected = all_i || own_verdict_i[VW];
   assign own_number = all_i ? first_new_i + VW'(fetch_item) : own_verdict_i[VW-1:0];
+
+  // --- In one pass: the rest of the record waits for classify, the positions for split_write ------
+  localparam int unsigned PASS = 4 * HW + 16 + 8 + 1;  // {twins, sharpness, forced, candidate}
+
+  logic [PASS-1:0] pass_record;
+  logic [4*HW-1:0] pass_twin;
+  logic [15:0] pass_sharp;
+  logic [7:0] pass_forced;
+  logic pass_candidate, pass_room, pass_enters, done;
+  logic [511:0] position;
+
+  /* verilator lint_off PINCONNECTEMPTY */
+  fifo #(
+      .WIDTH(PASS),
+      .DEPTH(512)
+  ) u_pass (
+      .clk_i, .rst_i, .in_valid_i(pass_i && pass_take_i),
+      .in_ready_o(),  // classify's fold asks to stop before
+      .in_data_i({record_twin_i, record_sharp_i, record_forced_i, record_candidate_i}),
+      .out_valid_o(),  // as pass_valid_i
+      .out_ready_i(pass_enters), .out_data_o(pass_record), .level_o()
+  );
+
+  fifo #(
+      .WIDTH(512),
+      .DEPTH(8 << WINDOW_BITS)
+  ) u_positions (
+      .clk_i, .rst_i, .in_valid_i(pass_enters), .in_ready_o(pass_room),
+      .in_data_i(pass_position_i),
+      .out_valid_o(),  // as the item at work
+      .out_ready_i(pass_i && done), .out_data_o(position), .level_o()
+  );
+  /* verilator lint_on PINCONNECTEMPTY */
+
+  assign {pass_twin, pass_sharp, pass_forced, pass_candidate} = pass_record;
+  assign pass_ready_o = item_ready && pass_room;
+  assign pass_enters = pass_valid_i && pass_ready_o;
 
   // --- Gather the verdicts of the faces beyond the item's edges ----------------------------------
   // What goes along for split_write: {last, candidate, forced, selected, half, tag, sharpness, number,
@@ -156,6 +215,20 @@ module split #(
   logic beyond_valid, beyond_stall, beyond_active;
   logic [ITEM-1:0] beyond;
   logic [4*(VW+2)-1:0] beyond_verdict;
+  logic item_ready;
+  logic [ITEM-1:0] item;
+
+  assign fetch_ready = item_ready && !pass_i;
+  assign item = pass_i ?
+      {1'b1,
+       {1'b1, pass_candidate, pass_forced, 1'b1, 1'b0, 4'd0, pass_sharp,
+        first_new_i + VW'(pass_item_i), pass_point_i, pass_origin_i},
+       pass_item_i, 4'b1111, pass_boundary_i, 4'b0000, pass_twin} :
+      {own_refined,
+       {record_last_i, record_candidate_i, record_forced_i, own_selected, record_half_i,
+        record_tag_i, record_sharp_i, own_number, edge_i ? edge_point_i : face_point_i,
+        record_origin_i},
+       fetch_item, lanes, record_boundary_i, record_border_i, record_twin_i};
 
   assign lanes = !quads_i ? 4'b0001 : record_half_i ? 4'b0111 : 4'b1111;
   for (genvar i = 0; i < 4; i++) begin : g_beyond
@@ -170,13 +243,8 @@ module split #(
       .BANK_BITS(BANK_BITS),
       .WINDOW_BITS(WINDOW_BITS), .LANES(LANES), .READ_LATENCY(READ_LATENCY)
   ) u_gather_verdicts (
-      .clk_i, .rst_i, .stall_i(beyond_stall), .in_valid_i(fetch_valid), .in_ready_o(fetch_ready),
-      .in_item_i({
-        own_refined,
-        {record_last_i, record_candidate_i, record_forced_i, own_selected, record_half_i,
-         record_tag_i, record_sharp_i, own_number, face_point_i, record_origin_i},
-        fetch_item, lanes, record_boundary_i, record_border_i, record_twin_i
-      }),
+      .clk_i, .rst_i, .stall_i(beyond_stall),
+      .in_valid_i(pass_i ? pass_enters : fetch_valid), .in_ready_o(item_ready), .in_item_i(item),
       .in_mask_i(own_refined && !all_i ? lanes & ~record_border_i & ~record_boundary_i : 4'b0000),
       .in_index_i(fetch_beyond), .rd_en_o(verdict_rd_en_o), .rd_row_o(verdict_rd_row_o),
       .rd_data_i(verdict_rd_data_i), .out_valid_o(beyond_valid), .out_item_o(beyond),
@@ -234,7 +302,8 @@ module split #(
       .BANK_BITS(BANK_BITS),
       .WINDOW_BITS(WINDOW_BITS), .LANES(LANES), .OPS(OPS)
   ) u_write (
-      .clk_i, .rst_i, .start_i, .quads_i, .odd_i, .last_step_i(last_i), .all_i,
+      .clk_i, .rst_i, .start_i, .quads_i, .odd_i, .last_step_i(last_i), .all_i, .pass_i,
+      .generation_i, .position_i(position), .lower_wr_sum_o, .upper_wr_sum_o,
       .stall_o(numbered_stall), .lanes_i(numbered_lanes), .boundary_i(boundary), .half_i(half),
       .tag_i(tag), .sharp_i(sharp),
       .active_o(write_active), .valid_i(numbered_valid), .last_i(last), .candidate_i(candidate),
@@ -246,14 +315,15 @@ module split #(
       .birth_sharpness_o, .op_valid_o,
       .op_ready_i, .op_kind_o, .op_number_o, .op_position_o, .op_mask_o, .op_triangle_o,
       .op_child_o, .op_candidate_o, .op_vertex_o, .op_sides_o, .op_first_o, .op_last_o,
-      .item_out_o, .conflict_o(conflict_o[2])
+      .item_out_o(done), .conflict_o(conflict_o[2])
   );
 
   // --- Counters ----------------------------------------------------------------------------------
   assign active_o = fetch_active || beyond_active || number_active || write_active;
-  assign busy_o = fetch_valid && fetch_ready;
+  assign busy_o = pass_i ? pass_enters : fetch_valid && fetch_ready;
   assign blocked_o = fetch_valid && !fetch_ready;
-  assign starved_o = active_o && !fetch_valid;
+  assign starved_o = active_o && !busy_o && !blocked_o;
   assign item_in_o = busy_o;
+  assign item_out_o = done;
 
 endmodule

@@ -54,13 +54,20 @@ module split_write #(
     input logic [         3:0] beyond_selected_i,
     input logic [    4*VW-1:0] beyond_number_i,
 
+    // in one pass with classify: the positions of the item at work
+    input logic         pass_i,
+    input logic [  7:0] generation_i,
+    input logic [511:0] position_i,
+
     // next generation's records
     output logic [                 (1<<BANK_BITS)-1:0] lower_wr_en_o,
     output logic [   (QW-BANK_BITS)*(1<<BANK_BITS)-1:0] lower_wr_row_o,
     output logic [(2*VW+2*QW+23)*(1<<BANK_BITS)-1:0] lower_wr_data_o,
+    output logic [            132*(1<<BANK_BITS)-1:0] lower_wr_sum_o,
     output logic [                 (1<<BANK_BITS)-1:0] upper_wr_en_o,
     output logic [   (QW-BANK_BITS)*(1<<BANK_BITS)-1:0] upper_wr_row_o,
     output logic [(2*VW+2*QW+23)*(1<<BANK_BITS)-1:0] upper_wr_data_o,
+    output logic [            132*(1<<BANK_BITS)-1:0] upper_wr_sum_o,
 
     // new vertices: born here if all_i, else just marked as sent
     output logic          birth_o,
@@ -240,11 +247,49 @@ module split_write #(
       quad[i*QW+:QW] = children[i*HW+2+:QW];
     end
   end
+  // --- Half the sums that the middles of the edges are made of --------------------------------------
+  localparam int unsigned WORD = 132 + HALF;  // {sums of w, z, y, x; half}
+
+  logic [4*132-1:0] lower_sum, upper_sum;
+  logic [4*WORD-1:0] lower_word, upper_word;
+  logic [7:0] level;
+
+  assign level = generation_i >> 1;
+
+  logic [3:0] sharp_edge;
+
+  always_comb begin
+    lower_sum = '0;
+    upper_sum = '0;
+    for (int i = 0; i < 4; i++)
+      sharp_edge[i] = boundary[i] || sharp[i*4+:4] == hs_pkg::SHARP_INFINITE[3:0] ||
+          8'(sharp[i*4+:4]) > level;
+    if (pass_i)
+      for (int i = 0; i < 4; i++)
+        for (int k = 0; k < 4; k++) begin
+          lower_sum[i*132+k*33+:33] = 33'($signed(position_i[(i+1)%4*128+k*32+:32])) +
+              33'($signed(sharp_edge[i] ? position_i[(i+1)%4*128+k*32+:32] : point[k*32+:32]));
+          upper_sum[i*132+k*33+:33] = boundary[i] ? {position_i[i*128+k*32+:32], 1'b0} :
+              lower_sum[i*132+k*33+:33];
+        end
+    for (int i = 0; i < 4; i++) begin
+      lower_word[i*WORD+:WORD] = {lower_sum[i*132+:132], lower_half[i*HALF+:HALF]};
+      upper_word[i*WORD+:WORD] = {upper_sum[i*132+:132], upper_half[i*HALF+:HALF]};
+    end
+  end
+
+  logic [WORD*(1<<BANK_BITS)-1:0] lower_wr_word, upper_wr_word;
+
+  for (genvar b = 0; b < (1 << BANK_BITS); b++) begin : g_bank
+    assign {lower_wr_sum_o[b*132+:132], lower_wr_data_o[b*HALF+:HALF]} = lower_wr_word[b*WORD+:WORD];
+    assign {upper_wr_sum_o[b*132+:132], upper_wr_data_o[b*HALF+:HALF]} = upper_wr_word[b*WORD+:WORD];
+  end
+
   assign lower_mask = last_step_i ? 4'b0000 : replaced & lower;
   assign upper_mask = last_step_i ? 4'b0000 : replaced & (~lower | boundary);
 
   scatter #(
-      .WIDTH(HALF),
+      .WIDTH(WORD),
       .ROW_BITS(QW - BANK_BITS),
       .BANK_BITS(BANK_BITS),
       .WINDOW_BITS(WINDOW_BITS), .LANES(LANES)
@@ -255,16 +300,16 @@ module split_write #(
       .in_ready_o(lower_ready),
       .in_mask_i(lower_mask),
       .in_index_i(quad),
-      .in_data_i(lower_half),
+      .in_data_i(lower_word),
       .en_o(lower_wr_en_o),
       .row_o(lower_wr_row_o),
-      .data_o(lower_wr_data_o),
+      .data_o(lower_wr_word),
       .conflict_o(lower_conflict),
       .active_o(lower_active)
   );
 
   scatter #(
-      .WIDTH(HALF),
+      .WIDTH(WORD),
       .ROW_BITS(QW - BANK_BITS),
       .BANK_BITS(BANK_BITS),
       .WINDOW_BITS(WINDOW_BITS), .LANES(LANES)
@@ -275,10 +320,10 @@ module split_write #(
       .in_ready_o(upper_ready),
       .in_mask_i(upper_mask),
       .in_index_i(quad),
-      .in_data_i(upper_half),
+      .in_data_i(upper_word),
       .en_o(upper_wr_en_o),
       .row_o(upper_wr_row_o),
-      .data_o(upper_wr_data_o),
+      .data_o(upper_wr_word),
       .conflict_o(upper_conflict),
       .active_o(upper_active)
   );

@@ -44,6 +44,7 @@ module vertex_memory #(
     input logic [   7:0] birth_generation_i,
     input logic          birth_sharp_wr_i,
     input logic [   3:0] birth_sharpness_i,
+    input logic          birth_quiet_i,     // neither old position nor mark word: classify is at work
 
     // sharpness, while a packet comes in
     input  logic          sharp_rd_en_i,
@@ -102,13 +103,14 @@ module vertex_memory #(
     output logic [   128*BANKS-1:0] wide_rd_data_o,
     input  logic [         BANKS-1:0] leave_wr_en_i,   // these of a row have been sent
     input  logic [ROW_BITS-1:0] leave_wr_row_i,
+    input  logic                leave_new_i,     // no, they are new
     input  logic                smooth_wr_i,
     input  logic [      VW-1:0] smooth_wr_vertex_i,
     input  logic                smooth_wr_move_i,
-    input  logic                smooth_wr_old_i,
     input  logic                smooth_wr_sent_i,
     input  logic [       127:0] smooth_wr_position_i,
-    input  logic [       127:0] smooth_wr_before_i
+    input  logic [         BANKS-1:0] keep_wr_en_i,    // the positions just read become old ones
+    input  logic [ROW_BITS-1:0] keep_wr_row_i
 );
 
   // --- A single access, as the banks see it -------------------------------------------------------------
@@ -167,9 +169,6 @@ module vertex_memory #(
   assign single_position_o = position_rd_data[32'(single_bank_q)*128+:128];
 
   // --- Sum, old position ---------------------------------------------------------------------------------
-  logic old_wr_en;
-  logic [VW-1:0] old_wr_index;
-  logic [127:0] old_wr_data;
   logic [BANKS-1:0] sum_rd_en;
   logic [ROW_BITS*BANKS-1:0] sum_rd_row;
 
@@ -177,9 +176,26 @@ module vertex_memory #(
       bank_of(smooth_rd_en_i, smooth_rd_index_i[BANK_BITS-1:0]);
   assign sum_rd_row = smooth_rd_en_i ? {BANKS{smooth_rd_index_i[VW-1:BANK_BITS]}} :
       gather_old_i ? gather_rd_row_i : sum_rd_row_i;
-  assign old_wr_en = birth_i || (smooth_wr_i && smooth_wr_old_i);
-  assign old_wr_index = birth_i ? birth_vertex_i : smooth_wr_vertex_i;
-  assign old_wr_data = birth_i ? birth_position_i : smooth_wr_before_i;
+  logic birth_marked;
+  logic [BANKS-1:0] sum_wr_en;
+  logic [ROW_BITS*BANKS-1:0] sum_wr_row;
+  logic [168*BANKS-1:0] sum_wr_data;
+
+  assign birth_marked = birth_i && !birth_quiet_i;
+
+  always_comb begin
+    sum_wr_en = sum_wr_en_i | keep_wr_en_i | bank_of(birth_marked, birth_vertex_i[BANK_BITS-1:0]);
+    sum_wr_row = sum_wr_row_i;
+    sum_wr_data = sum_wr_data_i;
+    if (birth_marked) begin
+      sum_wr_row  = {BANKS{birth_vertex_i[VW-1:BANK_BITS]}};
+      sum_wr_data = {BANKS{40'd0, birth_position_i}};
+    end else if (keep_wr_en_i != '0) begin
+      sum_wr_row = {BANKS{keep_wr_row_i}};
+      for (int b = 0; b < BANKS; b++)
+        sum_wr_data[168*b+:168] = {40'd0, position_rd_data[128*b+:128]};
+    end
+  end
 
   banked_memory #(
       .WIDTH(168),
@@ -190,9 +206,9 @@ module vertex_memory #(
       .rd_en_i(sum_rd_en),
       .rd_row_i(sum_rd_row),
       .rd_data_o(sum_rd_data_o),
-      .wr_en_i(sum_wr_en_i | bank_of(old_wr_en, old_wr_index[BANK_BITS-1:0])),
-      .wr_row_i(old_wr_en ? {BANKS{old_wr_index[VW-1:BANK_BITS]}} : sum_wr_row_i),
-      .wr_data_i(old_wr_en ? {BANKS{40'd0, old_wr_data}} : sum_wr_data_i)
+      .wr_en_i(sum_wr_en),
+      .wr_row_i(sum_wr_row),
+      .wr_data_i(sum_wr_data)
   );
 
   assign single_sum_o = sum_rd_data_o[32'(single_bank_q)*168+:168];
@@ -265,7 +281,7 @@ module vertex_memory #(
   logic [ROW_BITS*BANKS-1:0] rows;
 
   assign leaves = smooth_wr_i && smooth_wr_sent_i;
-  assign mark_single_en = birth_i || sent_i || leaves;
+  assign mark_single_en = birth_marked || sent_i || leaves;
   assign mark_single_index = leaves ? smooth_wr_vertex_i : birth_vertex_i;
   assign mark_single_data = {leaves ? generation_i : birth_generation_i, leaves || sent_i, 4'd0};
   assign all_banks = {BANKS{row_rd_en_i}};
@@ -285,7 +301,7 @@ module vertex_memory #(
       .wr_row_i(mark_single_en ? {BANKS{mark_single_index[VW-1:BANK_BITS]}} :
                 leave_wr_en_i != '0 ? {BANKS{leave_wr_row_i}} : mark_wr_row_i),
       .wr_data_i(mark_single_en ? {BANKS{mark_single_data}} :
-                 leave_wr_en_i != '0 ? {BANKS{generation_i, 1'b1, 4'd0}} : mark_wr_data_i)
+                 leave_wr_en_i != '0 ? {BANKS{generation_i, !leave_new_i, 4'd0}} : mark_wr_data_i)
   );
 
   banked_memory #(

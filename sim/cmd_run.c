@@ -219,26 +219,6 @@ static bool try_file(const char *path, hs_error *err) {
     return true;
 }
 
-/* Makes a folder and those above it. */
-static bool make_folder(const char *path, hs_error *err) {
-    char part[4096];
-    if (strlen(path) >= sizeof part - 100)
-        return hs_fail(err, HS_EXIT_FILE, "%.100s...: too long a path", path);
-    for (size_t i = 1; i <= strlen(path); i++)
-        if (path[i] == '/' || path[i] == 0) {
-            memcpy(part, path, i);
-            part[i] = 0;
-            struct stat status;
-            if (mkdir(part, 0777) == 0) continue;
-            const int cause = errno;
-            if (stat(part, &status) == 0 && S_ISDIR(status.st_mode)) continue;
-            return hs_fail(err, HS_EXIT_FILE,
-                           "%.300s: cannot make this folder: %s; choose another with --out", part,
-                           strerror(cause == EEXIST ? ENOTDIR : cause));
-        }
-    return true;
-}
-
 static bool open_views(hs_run *run, hs_error *err) {
     const hs_run_request *r = run->request;
     const double aspect = (double)r->width / (double)r->height;
@@ -269,7 +249,7 @@ static bool prepare(hs_run *run, hs_error *err) {
     run->depth = hs_view_depth(&r->settings, &run->mesh);
     if (r->out) {
         char path[4096];
-        if (!make_folder(r->out, err)) return false;
+        if (!hs_folder_make(r->out, err)) return false;
         snprintf(path, sizeof path, "%s/views.txt", r->out);
         if (!hs_views_write(&run->views, path, err)) return false;
         if (r->engines & ~(1u << HS_ENGINE_reference)) {

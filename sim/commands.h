@@ -12,6 +12,7 @@
 int hs_command_run(int argc, char **argv, hs_error *err);
 int hs_command_mesh(int argc, char **argv, hs_error *err);
 int hs_command_trace(int argc, char **argv, hs_error *err);
+int hs_command_explore(int argc, char **argv, hs_error *err);
 int hs_command_render(int argc, char **argv, hs_error *err);
 
 #endif

@@ -15,6 +15,7 @@ static const struct command {
     const char *what;
 } COMMANDS[] = {
     {"run", hs_command_run, "a mesh and viewpoints through the engines: compare, time, show"},
+    {"explore", hs_command_explore, "cycles over a space of micro-architectures, by the model"},
     {"mesh", hs_command_mesh, "look at meshes, make built-in ones, write OBJ"},
     {"trace", hs_command_trace, "packets in files: make, check, show as text, build from text"},
     {"render", hs_command_render, "figures of meshes and streams, as PNG"},

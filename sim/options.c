@@ -135,6 +135,14 @@ static bool take(const hs_command *command, const hs_option *o, const char *valu
                            o->name, o->argument);
         *(const char **)o->value = value;
         return true;
+    case HS_OPTION_LIST: {
+        hs_option_list *list = o->value;
+        if (!*value || list->count == HS_OPTION_LIST_ROOM)
+            return hs_fail(err, HS_EXIT_USAGE, "%s: --%s is empty, or given too often",
+                           command->name, o->name);
+        list->text[list->count++] = value;
+        return true;
+    }
     case HS_OPTION_NUMBER:
         if (hs_number_parse(value, o->value) && *(uint32_t *)o->value >= o->least &&
             *(uint32_t *)o->value <= o->most)

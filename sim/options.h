@@ -18,7 +18,14 @@ enum hs_option_kind {
     HS_OPTION_FLAG,   /* value: bool *, becomes true */
     HS_OPTION_TEXT,   /* value: const char **, points into argv */
     HS_OPTION_NUMBER, /* value: uint32_t *, least to most */
+    HS_OPTION_LIST,   /* value: hs_option_list *; may be given several times */
 };
+
+enum { HS_OPTION_LIST_ROOM = 64 };
+typedef struct hs_option_list {
+    const char *text[HS_OPTION_LIST_ROOM]; /* point into argv */
+    uint32_t count;
+} hs_option_list;
 
 typedef struct hs_option {
     const char *name; /* without the dashes */

@@ -66,7 +66,7 @@ module probe_halfstep #(
     end
     // In the order of refine: classify, select, guard, smooth, split.
     stage = 0;
-    for (int s = 0; s < 5; s++) if (kick[s]) stage = 32'(hs_pkg::STAGE_classify) + s;
+    for (int s = 4; s >= 0; s--) if (kick[s]) stage = 32'(hs_pkg::STAGE_classify) + s;
   end
 
   always_ff @(posedge clk_i) begin
@@ -96,7 +96,8 @@ module probe_halfstep #(
                          quantize_wr_data[63:32], quantize_wr_data[95:64],
                          quantize_wr_data[127:96]);
       if (kick != '0)
-        probes::hs_probe(hs_pkg::PROBE_kick, stage, 32'(generation), 32'(items), 32'(vertices), 0);
+        probes::hs_probe(hs_pkg::PROBE_kick, stage, 32'(generation), 32'(items), 32'(vertices),
+                         32'(kick));
       if (out_taken)
         probes::hs_probe(hs_pkg::PROBE_beat_out, beats_out_q, folded[31:0], folded[63:32],
                          folded[95:64], folded[127:96]);
@@ -164,7 +165,8 @@ bind guard probe_items #(
 bind split probe_items #(
     .VW(VW), .PROBE(hs_pkg::PROBE_split_in)
 ) u_probe_in (
-    .clk_i, .start_i, .taken(fetch_valid && fetch_ready), .lanes, .origin(record_origin_i)
+    .clk_i, .start_i, .taken(busy_o), .lanes(pass_i ? 4'b1111 : lanes),
+    .origin(pass_i ? pass_origin_i : record_origin_i)
 );
 
 module probe_classify #(
@@ -197,7 +199,7 @@ endmodule
 bind classify probe_classify #(
     .QW(QW)
 ) u_probe (
-    .clk_i, .point_valid_o, .point_face_o, .point_o, .front_o, .stop_o, .given(give && take),
+    .clk_i, .point_valid_o, .point_face_o, .point_o, .front_o, .stop_o, .given(give && take && pass_ready),
     .give_corner, .give_mask, .give_marks
 );
 
@@ -268,10 +270,15 @@ module probe_smooth #(
     parameter int unsigned BANK_BITS = 3
 ) (
     input logic clk_i,
-    input logic vertex_rd_en_o,
-    input logic [VW-1:0] vertex_rd_index_o,
-    input logic [(1<<BANK_BITS)-1:0] wide_rd_en_o,
-    input logic [VW-BANK_BITS-1:0] wide_rd_row_o,
+    input logic single,
+    input logic [VW-1:0] single_vertex,
+    input logic row,
+    input logic [VW-BANK_BITS-1:0] row_number,
+    input logic [(1<<BANK_BITS)-1:0] row_mask,
+    input logic [(1<<BANK_BITS)-1:0] row_leave,
+    input logic new_pick,
+    input logic [VW-1:0] new_vertex,
+    input logic [2:0] new_count,
     input logic write_valid_o,
     input logic [VW-1:0] write_vertex_o,
     input logic write_move_o,
@@ -283,10 +290,12 @@ module probe_smooth #(
 
   always_ff @(posedge clk_i)
     if (probes::hs_probe_on()) begin
-      if (vertex_rd_en_o) probes::hs_probe(hs_pkg::PROBE_smooth_in, 32'(vertex_rd_index_o), 0, 0, 0, 0);
-      if (wide_rd_en_o != '0)
-        probes::hs_probe(hs_pkg::PROBE_smooth_in, 32'({wide_rd_row_o, BANK_BITS'(0)}),
-                         32'(wide_rd_en_o), 0, 0, 0);
+      if (single) probes::hs_probe(hs_pkg::PROBE_smooth_in, 32'(single_vertex), 0, 0, 0, 0);
+      if (row)
+        probes::hs_probe(hs_pkg::PROBE_smooth_in, 32'({row_number, BANK_BITS'(0)}), 32'(row_mask),
+                         32'(row_leave), 0, 0);
+      if (new_pick)
+        probes::hs_probe(hs_pkg::PROBE_smooth_in, 32'(new_vertex), 0, 0, 32'(new_count), 0);
       if (write_valid_o)
         probes::hs_probe(hs_pkg::PROBE_smooth_out, 32'(write_vertex_o),
                          {30'd0, write_sent_o, write_move_o}, moved[31:0], moved[63:32],
@@ -297,8 +306,8 @@ endmodule
 bind smooth probe_smooth #(
     .VW(VW), .BANK_BITS(BANK_BITS)
 ) u_probe (
-    .clk_i, .vertex_rd_en_o, .vertex_rd_index_o, .wide_rd_en_o, .wide_rd_row_o, .write_valid_o,
-    .write_vertex_o, .write_move_o, .write_sent_o,
+    .clk_i, .single, .single_vertex, .row, .row_number, .row_mask, .row_leave, .new_pick,
+    .new_vertex, .new_count, .write_valid_o, .write_vertex_o, .write_move_o, .write_sent_o,
     .write_position(write_position_o[95:0])
 );
 

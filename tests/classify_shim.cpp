@@ -108,8 +108,9 @@ static bool smooth(classify_shim *shim, classify_run *out) {
                 vertex.moved = true;
                 std::memcpy(vertex.position, &top.write_position_o, sizeof vertex.position);
             }
-            if (top.old_o) std::memcpy(vertex.old, &top.before_o, sizeof vertex.old);
         }
+        if (top.old_o)
+            std::memcpy(out->vertex[top.old_vertex_o].old, &top.before_o, sizeof(int32_t[4]));
         if (top.send_valid_o && top.send_ready_i) {
             smoothed_vertex &vertex = out->vertex[top.send_vertex_o];
             if (vertex.sent) return false;

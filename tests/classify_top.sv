@@ -57,7 +57,8 @@ module classify_top (
     output logic         write_o,
     output logic [  9:0] write_vertex_o,
     output logic         move_o,
-    output logic         old_o,
+    output logic         old_o,         // of the vertex that was read in the cycle before
+    output logic [  9:0] old_vertex_o,
     output logic         leave_o,
     output logic [127:0] write_position_o,
     output logic [127:0] before_o,
@@ -68,6 +69,8 @@ module classify_top (
     output logic         at_level_o
 );
 
+  logic [7:0] keep;
+  logic [6:0] keep_row;
   logic [7:0] gather_rd_en, mark_rd_en, mark_wr_en, sum_rd_en, sum_wr_en, ring_rd_en, ring_wr_en, held;
   logic [55:0] gather_rd_row, mark_rd_row, mark_wr_row, sum_rd_row, sum_wr_row, ring_rd_row;
   logic [55:0] ring_wr_row;
@@ -93,7 +96,7 @@ module classify_top (
       .quantize_rd_en_i(1'b0), .quantize_rd_index_i(10'd0), .single_position_o(single_position),
       .birth_i, .sent_i(birth_i && sent_i), .birth_vertex_i(vertex_i),
       .birth_position_i(position_i), .birth_generation_i(8'hff), .birth_sharp_wr_i(1'b0),
-      .birth_sharpness_i(4'd0), .sharp_rd_en_i(1'b0), .sharp_rd_index_i(10'd0),
+      .birth_sharpness_i(4'd0), .birth_quiet_i(1'b0), .sharp_rd_en_i(1'b0), .sharp_rd_index_i(10'd0),
       .sharp_rd_data_o(), .sharp_wr_en_i(birth_i), .sharp_wr_index_i(vertex_i),
       .sharp_wr_data_i(sharp_i), .generation_i, .gather_rd_en_i(gather_rd_en),
       .gather_rd_row_i(gather_rd_row), .gather_old_i(generation_i[0]), .gather_rd_data_o(gathered),
@@ -109,9 +112,9 @@ module classify_top (
       .row_rd_i(look_i ? row_i : row), .held_rd_data_o(held), .smooth_rd_en_i(smooth_rd),
       .smooth_rd_index_i(smooth_rd_index), .single_sum_o(single_sum), .single_ring_o(single_ring),
       .single_sharp_o(single_sharp), .wide_rd_en_i(8'd0), .wide_rd_row_i(7'd0), .wide_rd_data_o(), .leave_wr_en_i(8'd0),
-      .leave_wr_row_i(7'd0), .smooth_wr_i(write_o), .smooth_wr_vertex_i(write_vertex_o),
-      .smooth_wr_move_i(move_o), .smooth_wr_old_i(old_o), .smooth_wr_sent_i(leave_o),
-      .smooth_wr_position_i(write_position_o), .smooth_wr_before_i(before_o)
+      .leave_wr_row_i(7'd0), .leave_new_i(1'b0), .smooth_wr_i(write_o), .smooth_wr_vertex_i(write_vertex_o),
+      .smooth_wr_move_i(move_o), .smooth_wr_sent_i(leave_o),
+      .smooth_wr_position_i(write_position_o), .keep_wr_en_i(keep), .keep_wr_row_i(keep_row)
   );
 
   classify #(
@@ -130,6 +133,8 @@ module classify_top (
       .sum_wr_en_o(sum_wr_en), .sum_wr_row_o(sum_wr_row), .sum_wr_data_o(sum_wr_data),
       .ring_rd_en_o(ring_rd_en), .ring_rd_row_o(ring_rd_row), .ring_rd_data_i(ring),
       .ring_wr_en_o(ring_wr_en), .ring_wr_row_o(ring_wr_row), .ring_wr_data_o(ring_wr_data),
+      .pass_i(1'b0), .pass_valid_o(), .pass_ready_i(1'b0), .pass_item_o(),
+      .pass_origin_o(), .pass_position_o(), .pass_point_o(), .pass_boundary_o(),
       .point_valid_o, .point_face_o(face_o), .point_o, .front_o, .stop_o, .valence_error_o(),
       .valence_corner_o(), .busy_o(), .starved_o(), .blocked_o(), .item_in_o(), .item_out_o(),
       .conflict_o()
@@ -145,14 +150,21 @@ module classify_top (
       .row_rd_o(row), .mark_rd_data_i(mark), .held_rd_data_i(held), .vertex_rd_en_o(smooth_rd),
       .vertex_rd_index_o(smooth_rd_index), .position_rd_data_i(single_position),
       .sum_rd_data_i(single_sum), .ring_rd_data_i(single_ring), .sharp_rd_data_i(single_sharp),
-      .new_from_face_i(1'b0), .face_rd_en_o(), .face_rd_index_o(), .face_rd_data_i(128'd0),
-      .write_valid_o(write_o), .write_vertex_o, .write_move_o(move_o), .write_old_o(old_o),
-      .write_sent_o(leave_o), .write_position_o, .write_before_o(before_o), .wide_rd_en_o(), .wide_rd_row_o(), .wide_rd_data_i(1024'd0), .leave_wr_en_o(),
+      .new_from_face_i(1'b0), .face_rd_en_o(), .face_rd_index_o(), .face_rd_data_i(512'd0),
+      .write_valid_o(write_o), .write_vertex_o, .write_move_o(move_o),
+      .write_sent_o(leave_o), .write_position_o, .keep_wr_en_o(keep), .keep_wr_row_o(keep_row), .wide_rd_en_o(), .wide_rd_row_o(), .wide_rd_data_i(1024'd0), .leave_wr_en_o(),
       .leave_wr_row_o(), .group_valid_o(), .group_ready_i(1'b1), .group_vertex_o(),
       .group_position_o(), .send_valid_o,
       .send_ready_i, .send_vertex_o, .send_position_o, .send_at_level_o(at_level_o), .busy_o(),
       .starved_o(), .blocked_o(), .item_in_o(), .item_out_o()
   );
   /* verilator lint_on PINCONNECTEMPTY */
+
+  logic [9:0] read_q;
+
+  always_ff @(posedge clk_i) if (smooth_rd) read_q <= smooth_rd_index;
+  assign old_o = keep != 8'd0;
+  assign old_vertex_o = old_o && keep_row == read_q[9:3] && keep == 8'd1 << read_q[2:0] ? read_q : '1;
+  assign before_o = single_position;
 
 endmodule

@@ -1,0 +1,385 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * halfstep explore: the cycle-level model over a space of micro-architectures and views, on all
+ * cores, and on as many machines as there are shards.
+ */
+#include <errno.h>
+#include <math.h>
+#include <pthread.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "commands.h"
+#include "explore.h"
+#include "file.h"
+#include "mesh_source.h"
+#include "options.h"
+#include "progress.h"
+#include "surface_options.h"
+
+static const hs_command COMMAND = {
+    .name = "explore",
+    .operands = "MESH",
+    .least = 1,
+    .most = 1,
+    .what = "cycles, memory and traffic over a space of micro-architectures, by the model",
+    .text =
+        "  halfstep explore shape:hand --orbit 8 --set banks=2,4,8,16 --set window=2,4,8\n"
+        "      twelve architectures times eight views; explore.csv, explore.json in out/explore\n"
+        "  halfstep explore bunny.obj --set lanes=1,2,4,8 --clock 800 --out out/lanes\n"
+        "      with views per second at 800 MHz\n"
+        "  halfstep explore bunny.obj --set lanes=1,2,4,8 --out out/lanes --shard 3/8\n"
+        "      the third of eight parts; without --shard, the same command does what is missing\n"
+        "      and puts all parts together\n\n"
+        "Parameters: port (records of 128 bits in a beat), banks, window (items that compete for\n"
+        "them), lanes (words a cycle), latency (of a read), ops (that wait for emit).\n"
+        "What is done is kept in the folder: an interrupted run goes on where it was.\n"};
+
+typedef struct request {
+    const char *mesh, *views, *force, *out, *clock_text, *shard_text, *size;
+    hs_option_list set;
+    uint32_t orbit, front, silhouette, guard, uniform, jobs;
+    uint32_t width, height, shard, shards;
+    bool views_given, orbit_given, front_given, silhouette_given, round_sharpness, quiet;
+    hs_surface_texts surface;
+    hs_settings settings;
+    hs_limits limits;
+    double clock;
+} request;
+
+/* --- Options ------------------------------------------------------------------------------------
+ */
+static bool complete(request *r, hs_error *err) {
+    if (!hs_pair_parse(r->size, 'x', &r->width, &r->height) || !r->width || !r->height ||
+        r->width > 65535 || r->height > 65535)
+        return hs_fail(err, HS_EXIT_USAGE, "--size is \"%.40s\"; it should be WIDTHxHEIGHT",
+                       r->size);
+    r->shard = r->shards = 1;
+    if (r->shard_text && (!hs_pair_parse(r->shard_text, '/', &r->shard, &r->shards) ||
+                          r->shard < 1 || r->shard > r->shards || r->shards > 100000))
+        return hs_fail(err, HS_EXIT_USAGE,
+                       "--shard is \"%.40s\"; it should be I/N, the I-th of N parts, as in 1/8",
+                       r->shard_text);
+    if (r->clock_text) {
+        char *end;
+        r->clock = strtod(r->clock_text, &end);
+        if (*end || !(r->clock > 0) || !isfinite(r->clock))
+            return hs_fail(err, HS_EXIT_USAGE, "--clock is \"%.40s\"; it should be megahertz",
+                           r->clock_text);
+    }
+    if (r->views && r->orbit_given)
+        return hs_fail(err, HS_EXIT_USAGE, "--views and --orbit exclude each other; give one");
+    r->settings = (hs_settings){.front_depth = (uint8_t)r->front,
+                                .silhouette_depth = (uint8_t)r->silhouette,
+                                .uniform = r->uniform != UINT32_MAX,
+                                .guard = r->guard != 0};
+    if (!hs_surface_settings(&r->settings, &r->surface, r->width, r->height, err)) return false;
+    if (!r->settings.uniform) return true;
+    r->settings.uniform_depth = (uint8_t)r->uniform;
+    r->settings.front_depth = r->settings.silhouette_depth = 0;
+    if (r->front_given || r->silhouette_given)
+        return hs_fail(err, HS_EXIT_USAGE,
+                       "--uniform ignores the view; drop it, or drop --front and --silhouette");
+    return true;
+}
+
+static enum hs_parsed parse(request *r, int argc, char **argv, hs_error *err) {
+    *r = (request){.out = "out/explore",
+                   .size = "768x768",
+                   .orbit = 1,
+                   .front = 4,
+                   .silhouette = 8,
+                   .guard = 1,
+                   .uniform = UINT32_MAX,
+                   .limits = HS_DEFAULT_LIMITS};
+    const hs_option option[] = {
+        {"set", 0, HS_OPTION_LIST, "NAME=V,V", &r->set, 0, 0, NULL,
+         "values of a parameter to try; once for each"},
+        {"orbit", 'n', HS_OPTION_NUMBER, "N", &r->orbit, 1, 65536, &r->orbit_given,
+         "N viewpoints on a circle around the mesh (1)"},
+        {"views", 'v', HS_OPTION_TEXT, "FILE", &r->views, 0, 0, NULL, "viewpoints from a file"},
+        {"front", 'f', HS_OPTION_NUMBER, "DEPTH", &r->front, 0, HS_MAX_DEPTH, &r->front_given,
+         "steps for front faces in view (4)"},
+        {"silhouette", 's', HS_OPTION_NUMBER, "DEPTH", &r->silhouette, 0, HS_MAX_DEPTH,
+         &r->silhouette_given, "steps for faces at the silhouette (8)"},
+        {"guard", 'g', HS_OPTION_NUMBER, "0|1", &r->guard, 0, 1, NULL,
+         "refine the ring around selected faces as well (1)"},
+        {"uniform", 'u', HS_OPTION_NUMBER, "DEPTH", &r->uniform, 0, HS_MAX_DEPTH, NULL,
+         "so many steps everywhere"},
+        {"min-edge-px", 0, HS_OPTION_TEXT, "PIXELS", &r->surface.min_edge, 0, 0, NULL,
+         "leave faces alone whose edges are all shorter"},
+        {"boundary", 'b', HS_OPTION_TEXT, "MODE", &r->surface.boundary, 0, 0, NULL,
+         "kept, smooth or edge-only (smooth)"},
+        {"limit", 'l', HS_OPTION_FLAG, NULL, &r->surface.limit, 0, 0, NULL,
+         "send vertices at their limit positions"},
+        {"round-sharpness", 0, HS_OPTION_FLAG, NULL, &r->round_sharpness, 0, 0, NULL,
+         "round fractions of a sharpness, halves up"},
+        {"force", 0, HS_OPTION_TEXT, "FILE", &r->force, 0, 0, NULL, "depths for single faces"},
+        {"size", 0, HS_OPTION_TEXT, "WxH", &r->size, 0, 0, NULL,
+         "pixels of a picture, and the views' aspect (768x768)"},
+        {"clock", 0, HS_OPTION_TEXT, "MHZ", &r->clock_text, 0, 0, NULL,
+         "tell views per second as well"},
+        {"shard", 0, HS_OPTION_TEXT, "I/N", &r->shard_text, 0, 0, NULL,
+         "only the I-th of N parts of the points"},
+        {"jobs", 'j', HS_OPTION_NUMBER, "N", &r->jobs, 1, 1024, NULL,
+         "points at a time (as many as there are cores)"},
+        {"out", 'o', HS_OPTION_TEXT, "DIR", &r->out, 0, 0, NULL,
+         "folder for what is done, and for the reports (out/explore)"},
+        {"quiet", 'q', HS_OPTION_FLAG, NULL, &r->quiet, 0, 0, NULL, "no notes, no progress line"},
+        {0}};
+    int operand;
+    const enum hs_parsed parsed = hs_options_parse(&COMMAND, option, argc, argv, &operand, err);
+    if (parsed != HS_PARSED) return parsed;
+    r->mesh = argv[operand];
+    return complete(r, err) ? HS_PARSED : HS_PARSED_WRONG;
+}
+
+/* --- Workers ------------------------------------------------------------------------------------
+ */
+typedef struct exploration {
+    const request *request;
+    hs_explore_space space;
+    hs_mesh mesh;
+    hs_views views;
+    hs_packet *packet; /* of every view */
+    uint32_t depth;
+    hs_explore_row *row;
+    uint64_t points, mine, done; /* in all; of this shard; of those */
+    hs_explore_journal journal;
+    hs_progress progress;
+    double start;
+    uint64_t started_with, next;
+    pthread_mutex_t lock;
+    bool failed;
+    hs_error err;
+} exploration;
+
+static bool is_mine(const exploration *e, uint64_t point) {
+    return point % e->request->shards == e->request->shard - 1;
+}
+
+/* The next point that is not done; false if there is none. Under the lock. */
+static bool take_point(exploration *e, uint64_t *point) {
+    while (e->next < e->points && (e->row[e->next].done || !is_mine(e, e->next)))
+        e->next++;
+    if (e->failed || e->next == e->points) return false;
+    *point = e->next++;
+    return true;
+}
+
+static uint64_t latency(const hs_model *model, const hs_cycle_report *c, const hs_packet *out,
+                        uint32_t kind) {
+    for (size_t at = 0; at + 4 <= out->words; at += 4)
+        if (out->word[at] >> 20 == hs_tag(kind, 0) >> 20)
+            return c->begin + hs_model_word_cycle(model, at) - c->start;
+    return UINT64_MAX;
+}
+
+static bool run_point(const exploration *e, hs_model *model, uint64_t point, hs_packet *out,
+                      hs_explore_row *row, hs_error *err) {
+    const hs_stalls none = {0};
+    const hs_packet *in = &e->packet[hs_explore_view(&e->space, point)];
+    hs_golden_report report;
+    hs_cycle_report c;
+    if (!hs_model_run(model, in, none, out, &report, &c, NULL, err)) return false;
+    const hs_bound bound = hs_bound_of(&e->request->settings, e->depth, report.generation,
+                                       report.generations, e->mesh.vertices, in->words, out->words);
+    const hs_model_traffic traffic = hs_model_traffic_of(model);
+    uint64_t *v = row->value;
+    row->done = true;
+    v[HS_EXPLORE_POINT] = point;
+    v[HS_EXPLORE_STATUS] = report.status;
+    v[HS_EXPLORE_FACES] = report.faces;
+    v[HS_EXPLORE_VERTICES] = report.vertices;
+    v[HS_EXPLORE_CYCLES] = c.cycles;
+    v[HS_EXPLORE_BOUND] = bound.total;
+    v[HS_EXPLORE_FIRST_FACE] = latency(model, &c, out, HS_RECORD_FACE);
+    v[HS_EXPLORE_TRAILER] = latency(model, &c, out, HS_RECORD_TRAILER);
+    v[HS_EXPLORE_CONFLICTS] = c.conflicts;
+    v[HS_EXPLORE_READ] = traffic.read;
+    v[HS_EXPLORE_WRITTEN] = traffic.written;
+    for (uint32_t s = 0; s < HS_STAGES; s++)
+        for (uint32_t a = 0; a < HS_ACTIVITIES; a++)
+            v[HS_EXPLORE_ACTIVITY + s * HS_ACTIVITIES + a] = c.activity[s][a];
+    return true;
+}
+
+static void show_progress(exploration *e) {
+    const double seconds = hs_seconds() - e->start;
+    const uint64_t now = e->done - e->started_with;
+    const double rate = seconds > 0 ? (double)now / seconds : 0;
+    hs_progress_show(&e->progress, "%llu of %llu points, %.0f a second, %.0f s left",
+                     (unsigned long long)e->done, (unsigned long long)e->mine, rate,
+                     rate > 0 ? (double)(e->mine - e->done) / rate : 0);
+}
+
+/* Behind a point. Under the lock. */
+static void keep_point(exploration *e, uint64_t point, const hs_explore_row *row, bool good,
+                       const hs_error *why) {
+    if (good && !e->failed && !hs_explore_journal_add(&e->journal, row, &e->err)) e->failed = true;
+    if (!good && !e->failed) {
+        e->failed = true;
+        e->err = *why;
+    }
+    if (e->failed) return;
+    e->row[point] = *row;
+    e->done++;
+    show_progress(e);
+}
+
+static void *work(void *context) {
+    exploration *e = context;
+    hs_model *model = NULL;
+    hs_model_config config = {0};
+    hs_packet out = {0};
+    uint64_t point;
+    pthread_mutex_lock(&e->lock);
+    while (take_point(e, &point)) {
+        pthread_mutex_unlock(&e->lock);
+        hs_error err = {0};
+        hs_explore_row row = {0};
+        const hs_model_config wanted = hs_explore_config(&e->space, point);
+        if (!model || memcmp(&wanted, &config, sizeof config) != 0) {
+            hs_model_free(model);
+            config = wanted;
+            model = hs_model_new(e->request->limits, config, &err);
+        }
+        const bool good = model && run_point(e, model, point, &out, &row, &err);
+        pthread_mutex_lock(&e->lock);
+        keep_point(e, point, &row, good, &err);
+    }
+    pthread_mutex_unlock(&e->lock);
+    hs_model_free(model);
+    hs_packet_free(&out);
+    return NULL;
+}
+
+static bool run_workers(exploration *e, hs_error *err) {
+    enum { MOST = 1024 };
+    pthread_t thread[MOST];
+    const long cores = sysconf(_SC_NPROCESSORS_ONLN);
+    uint32_t jobs = e->request->jobs ? e->request->jobs
+                    : cores > 0      ? (uint32_t)cores
+                                     : 1,
+             started = 0;
+    if (jobs > MOST) jobs = MOST;
+    if (jobs > e->mine - e->done) jobs = (uint32_t)(e->mine - e->done);
+    e->start = hs_seconds();
+    e->started_with = e->done;
+    while (started < jobs && pthread_create(&thread[started], NULL, work, e) == 0)
+        started++;
+    if (jobs && !started) work(e);
+    for (uint32_t i = 0; i < started; i++)
+        pthread_join(thread[i], NULL);
+    hs_progress_clear(&e->progress);
+    if (e->failed) *err = e->err;
+    return !e->failed;
+}
+
+/* --- The command --------------------------------------------------------------------------------
+ */
+static bool open_views(exploration *e, hs_error *err) {
+    const request *r = e->request;
+    const double aspect = (double)r->width / (double)r->height;
+    if (r->views ? !hs_views_read(&e->views, r->views, aspect, err)
+                 : !hs_views_orbit(&e->views, r->orbit, &e->mesh, aspect, err))
+        return false;
+    return (e->views.count > 0 && e->views.count <= 65536) ||
+           hs_fail(err, HS_EXIT_VIEWS, "%.300s: %u views; there should be 1 to 65536", r->views,
+                   e->views.count);
+}
+
+/* What is explored, in one number: the packets of all views, and the space. */
+static bool encode_views(exploration *e, uint32_t *fingerprint, hs_error *err) {
+    e->packet = calloc(e->views.count, sizeof *e->packet);
+    if (!e->packet) return hs_fail(err, HS_EXIT_INTERNAL, "no memory for the views");
+    *fingerprint = 0;
+    for (uint32_t v = 0; v < e->views.count; v++) {
+        hs_packet *p = &e->packet[v];
+        if (!hs_packet_encode(p, v, &e->mesh, e->views.view[v].matrix, &e->request->settings, err))
+            return false;
+        *fingerprint = hs_crc(*fingerprint, p->word, p->words);
+    }
+    for (uint64_t point = 0; point < e->points; point += e->views.count) {
+        const hs_model_config config = hs_explore_config(&e->space, point);
+        uint32_t word[HS_EXPLORE_NAMES];
+        for (uint32_t p = 0; p < HS_EXPLORE_NAMES; p++)
+            word[p] = hs_explore_value(&config, p);
+        *fingerprint = hs_crc(*fingerprint, word, HS_EXPLORE_NAMES);
+    }
+    return true;
+}
+
+static bool make_space(exploration *e, hs_error *err) {
+    hs_explore_space_start(&e->space, e->views.count);
+    for (uint32_t i = 0; i < e->request->set.count; i++)
+        if (!hs_explore_set(&e->space, e->request->set.text[i], err)) return false;
+    e->points = hs_explore_points(&e->space);
+    e->row = e->points < (uint64_t)1 << 32 ? calloc(e->points, sizeof *e->row) : NULL;
+    return e->row || hs_fail(err, HS_EXIT_INTERNAL, "no memory for %llu points",
+                             (unsigned long long)e->points);
+}
+
+static bool prepare(exploration *e, hs_error *err) {
+    const request *r = e->request;
+    uint32_t fingerprint = 0;
+    if (!hs_mesh_open(&e->mesh, r->mesh, r->round_sharpness, r->quiet, err)) return false;
+    if (r->force && !hs_mesh_force(&e->mesh, r->force, err)) return false;
+    e->depth = hs_view_depth(&r->settings, &e->mesh);
+    if (!open_views(e, err) || !make_space(e, err) || !encode_views(e, &fingerprint, err))
+        return false;
+    if (!hs_folder_make(r->out, err) ||
+        !hs_explore_journal_open(&e->journal, r->out, r->shard, r->shards, fingerprint, e->row,
+                                 e->points, err))
+        return false;
+    for (uint64_t point = 0; point < e->points; point++)
+        if (is_mine(e, point)) {
+            e->mine++;
+            e->done += e->row[point].done;
+        }
+    return true;
+}
+
+static bool report(const exploration *e, hs_error *err) {
+    const request *r = e->request;
+    if (r->shards > 1) {
+        printf("part %u of %u: %llu points in %s; the same command without --shard puts the parts "
+               "together\n",
+               r->shard, r->shards, (unsigned long long)e->mine, r->out);
+        return true;
+    }
+    const hs_explore_result result = {
+        .space = &e->space, .row = e->row, .mesh = r->mesh, .clock = r->clock};
+    char path[4200];
+    snprintf(path, sizeof path, "%.4000s/explore.csv", r->out);
+    if (!hs_explore_write_csv(&result, path, err)) return false;
+    snprintf(path, sizeof path, "%.4000s/explore.json", r->out);
+    if (!hs_explore_write_json(&result, path, err)) return false;
+    printf("%s: %u faces; %u view%s; read, write: bytes of memory traffic a face\n\n", r->mesh,
+           e->mesh.faces, e->views.count, e->views.count == 1 ? "" : "s");
+    hs_explore_print(&result, stdout);
+    printf("\n* no other is better in both cycles and memory\n%s/explore.csv, explore.json\n",
+           r->out);
+    return true;
+}
+
+int hs_command_explore(int argc, char **argv, hs_error *err) {
+    request r;
+    const enum hs_parsed parsed = parse(&r, argc, argv, err);
+    if (parsed == HS_PARSED_HELP) return HS_EXIT_OK;
+    if (parsed == HS_PARSED_WRONG) return err->code;
+    exploration e = {.request = &r, .journal = {.file = -1}, .lock = PTHREAD_MUTEX_INITIALIZER};
+    hs_progress_start(&e.progress, r.quiet);
+    const bool good = prepare(&e, err) && run_workers(&e, err) && report(&e, err);
+    hs_progress_clear(&e.progress);
+    hs_explore_journal_close(&e.journal);
+    for (uint32_t v = 0; e.packet && v < e.views.count; v++)
+        hs_packet_free(&e.packet[v]);
+    free(e.packet);
+    free(e.row);
+    hs_views_free(&e.views);
+    hs_mesh_free(&e.mesh);
+    return good ? HS_EXIT_OK : (int)err->code;
+}

@@ -1,0 +1,201 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include <inttypes.h>
+#include <jansson.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "explore.h"
+#include "file.h"
+
+static const char *const ACTIVITY[HS_ACTIVITIES] = {"busy", "starved", "blocked", "idle"};
+
+/* --- What follows from a row --------------------------------------------------------------------
+ */
+static double ratio(uint64_t a, uint64_t b) {
+    return b ? (double)a / (double)b : 0;
+}
+
+static double per_face(const hs_explore_row *row, uint32_t column) {
+    return ratio(row->value[column], row->value[HS_EXPLORE_FACES]);
+}
+
+static double bytes_per_face(const hs_explore_row *row, uint32_t column) {
+    return per_face(row, column) / 8;
+}
+
+static double views_per_second(const hs_explore_result *r, const hs_explore_row *row) {
+    const uint64_t cycles = row->value[HS_EXPLORE_CYCLES];
+    return cycles ? r->clock * 1e6 / (double)cycles : 0;
+}
+
+/* --- CSV ----------------------------------------------------------------------------------------
+ */
+static void write_head(const hs_explore_result *r, FILE *out) {
+    for (uint32_t p = 0; p < HS_EXPLORE_NAMES; p++)
+        fprintf(out, "%s,", hs_explore_name(p));
+    fputs("view,status,faces,vertices,cycles,cycles_per_face,bound,ratio,first_face,trailer,"
+          "conflicts,memory_bits,bytes_read_per_face,bytes_written_per_face",
+          out);
+    if (r->clock > 0) fputs(",views_per_second", out);
+    for (uint32_t s = 0; s < HS_STAGES; s++)
+        for (uint32_t a = 0; a < HS_ACTIVITIES; a++)
+            fprintf(out, ",%s_%s", hs_stage_name(s), ACTIVITY[a]);
+    fputc('\n', out);
+}
+
+static void write_cycles(FILE *out, uint64_t cycles) {
+    if (cycles == UINT64_MAX)
+        fputc(',', out);
+    else
+        fprintf(out, ",%" PRIu64, cycles);
+}
+
+static void write_row(const hs_explore_result *r, uint64_t point, FILE *out) {
+    const hs_explore_row *row = &r->row[point];
+    const uint64_t *v = row->value;
+    const hs_model_config config = hs_explore_config(r->space, point);
+    for (uint32_t p = 0; p < HS_EXPLORE_NAMES; p++)
+        fprintf(out, "%" PRIu32 ",", hs_explore_value(&config, p));
+    fprintf(out, "%" PRIu32 ",%s,%" PRIu64 ",%" PRIu64 ",%" PRIu64 ",%.6g,%" PRIu64 ",%.6g",
+            hs_explore_view(r->space, point), hs_status_name((uint32_t)v[HS_EXPLORE_STATUS]),
+            v[HS_EXPLORE_FACES], v[HS_EXPLORE_VERTICES], v[HS_EXPLORE_CYCLES],
+            per_face(row, HS_EXPLORE_CYCLES), v[HS_EXPLORE_BOUND],
+            ratio(v[HS_EXPLORE_CYCLES], v[HS_EXPLORE_BOUND]));
+    write_cycles(out, v[HS_EXPLORE_FIRST_FACE]);
+    write_cycles(out, v[HS_EXPLORE_TRAILER]);
+    fprintf(out, ",%" PRIu64 ",%" PRIu64 ",%.6g,%.6g", v[HS_EXPLORE_CONFLICTS],
+            hs_model_memory_bits(&config), bytes_per_face(row, HS_EXPLORE_READ),
+            bytes_per_face(row, HS_EXPLORE_WRITTEN));
+    if (r->clock > 0) fprintf(out, ",%.6g", views_per_second(r, row));
+    for (uint32_t c = HS_EXPLORE_ACTIVITY; c < HS_EXPLORE_COLUMNS; c++)
+        fprintf(out, ",%" PRIu64, v[c]);
+    fputc('\n', out);
+}
+
+bool hs_explore_write_csv(const hs_explore_result *r, const char *path, hs_error *err) {
+    hs_file file;
+    if (!hs_file_create(&file, path, err)) return false;
+    write_head(r, file.stream);
+    for (uint64_t point = 0; point < hs_explore_points(r->space); point++)
+        write_row(r, point, file.stream);
+    return hs_file_commit(&file, err);
+}
+
+/* --- JSON ---------------------------------------------------------------------------------------
+ */
+static json_t *count_or_null(uint64_t count) {
+    return count == UINT64_MAX ? json_null() : json_integer((json_int_t)count);
+}
+
+static json_t *stages_of(const hs_explore_row *row) {
+    json_t *stages = json_object();
+    for (uint32_t s = 0; s < HS_STAGES; s++) {
+        json_t *stage = json_object();
+        for (uint32_t a = 0; a < HS_ACTIVITIES; a++)
+            json_object_set_new(
+                stage, ACTIVITY[a],
+                json_integer((json_int_t)row->value[HS_EXPLORE_ACTIVITY + s * HS_ACTIVITIES + a]));
+        json_object_set_new(stages, hs_stage_name(s), stage);
+    }
+    return stages;
+}
+
+static json_t *point_of(const hs_explore_result *r, uint64_t point) {
+    const hs_explore_row *row = &r->row[point];
+    const uint64_t *v = row->value;
+    const hs_model_config config = hs_explore_config(r->space, point);
+    json_t *set = json_object();
+    for (uint32_t p = 0; p < HS_EXPLORE_NAMES; p++)
+        json_object_set_new(set, hs_explore_name(p), json_integer(hs_explore_value(&config, p)));
+    json_t *o = json_pack(
+        "{s:o, s:i, s:s, s:I, s:I, s:I, s:f, s:I, s:f, s:o, s:o, s:I, s:I, s:f, s:f, s:o}", "set",
+        set, "view", (int)hs_explore_view(r->space, point), "status",
+        hs_status_name((uint32_t)v[HS_EXPLORE_STATUS]), "faces", (json_int_t)v[HS_EXPLORE_FACES],
+        "vertices", (json_int_t)v[HS_EXPLORE_VERTICES], "cycles", (json_int_t)v[HS_EXPLORE_CYCLES],
+        "cycles_per_face", per_face(row, HS_EXPLORE_CYCLES), "bound",
+        (json_int_t)v[HS_EXPLORE_BOUND], "ratio", ratio(v[HS_EXPLORE_CYCLES], v[HS_EXPLORE_BOUND]),
+        "first_face", count_or_null(v[HS_EXPLORE_FIRST_FACE]), "trailer",
+        count_or_null(v[HS_EXPLORE_TRAILER]), "conflicts", (json_int_t)v[HS_EXPLORE_CONFLICTS],
+        "memory_bits", (json_int_t)hs_model_memory_bits(&config), "bytes_read_per_face",
+        bytes_per_face(row, HS_EXPLORE_READ), "bytes_written_per_face",
+        bytes_per_face(row, HS_EXPLORE_WRITTEN), "stages", stages_of(row));
+    if (o && r->clock > 0)
+        json_object_set_new(o, "views_per_second", json_real(views_per_second(r, row)));
+    return o;
+}
+
+bool hs_explore_write_json(const hs_explore_result *r, const char *path, hs_error *err) {
+    json_t *root = json_object(), *points = json_array();
+    bool good = json_object_set_new(root, "mesh", json_string(r->mesh)) == 0;
+    if (r->clock > 0) json_object_set_new(root, "clock_mhz", json_real(r->clock));
+    for (uint64_t point = 0; good && point < hs_explore_points(r->space); point++)
+        good = json_array_append_new(points, point_of(r, point)) == 0;
+    good = json_object_set_new(root, "points", points) == 0 && good;
+    hs_file file;
+    if (!good) {
+        hs_fail(err, HS_EXIT_INTERNAL, "%.300s: no memory for it", path);
+    } else if (hs_file_create(&file, path, err)) {
+        good = json_dumpf(root, file.stream, JSON_INDENT(1) | JSON_REAL_PRECISION(6)) == 0;
+        fputc('\n', file.stream);
+        good = hs_file_commit(&file, err) && good;
+    } else {
+        good = false;
+    }
+    json_decref(root);
+    return good;
+}
+
+/* --- The table ----------------------------------------------------------------------------------
+ */
+typedef struct sum {
+    uint64_t faces, cycles, bound, read, written, memory;
+} sum;
+
+static sum sum_of(const hs_explore_result *r, uint64_t first) {
+    const hs_model_config config = hs_explore_config(r->space, first);
+    sum s = {.memory = hs_model_memory_bits(&config)};
+    for (uint64_t point = first; point < first + r->space->views; point++) {
+        const uint64_t *v = r->row[point].value;
+        s.faces += v[HS_EXPLORE_FACES];
+        s.cycles += v[HS_EXPLORE_CYCLES];
+        s.bound += v[HS_EXPLORE_BOUND];
+        s.read += v[HS_EXPLORE_READ];
+        s.written += v[HS_EXPLORE_WRITTEN];
+    }
+    return s;
+}
+
+static bool beaten(const sum *all, uint64_t count, uint64_t which) {
+    const sum *s = &all[which];
+    for (uint64_t i = 0; i < count; i++) {
+        const sum *o = &all[i];
+        const bool no_worse = o->cycles <= s->cycles && o->memory <= s->memory;
+        if (no_worse && (o->cycles < s->cycles || o->memory < s->memory)) return true;
+    }
+    return false;
+}
+
+void hs_explore_print(const hs_explore_result *r, FILE *out) {
+    const uint64_t views = r->space->views, count = hs_explore_points(r->space) / views;
+    sum *all = malloc(count * sizeof *all);
+    if (!all) return;
+    for (uint64_t i = 0; i < count; i++)
+        all[i] = sum_of(r, i * views);
+    for (uint32_t p = 0; p < HS_EXPLORE_NAMES; p++)
+        fprintf(out, "%*s", (int)strlen(hs_explore_name(p)) + (p != 0), hs_explore_name(p));
+    fprintf(out, "    cycles c/face ratio  Mbit  read write%s\n", r->clock > 0 ? " views/s" : "");
+    for (uint64_t i = 0; i < count; i++) {
+        const hs_model_config config = hs_explore_config(r->space, i * views);
+        for (uint32_t p = 0; p < HS_EXPLORE_NAMES; p++)
+            fprintf(out, "%*" PRIu32, (int)strlen(hs_explore_name(p)) + (p != 0),
+                    hs_explore_value(&config, p));
+        fprintf(out, "%10" PRIu64 " %6.2f %5.2f %5.0f %5.0f %5.0f", all[i].cycles,
+                ratio(all[i].cycles, all[i].faces), ratio(all[i].cycles, all[i].bound),
+                (double)all[i].memory / 1e6, ratio(all[i].read, all[i].faces) / 8,
+                ratio(all[i].written, all[i].faces) / 8);
+        if (r->clock > 0)
+            fprintf(out, " %7.0f", r->clock * 1e6 * (double)views / (double)all[i].cycles);
+        fprintf(out, "%s\n", beaten(all, count, i) ? "" : " *");
+    }
+    free(all);
+}
