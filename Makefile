@@ -72,9 +72,7 @@ $(BUILD)/tests/osd.o: tests/osd.cpp
 $(OSD_USERS): $(BUILD)/tests/osd.o
 $(OSD_USERS): LIBS += -losdCPU
 
-include tests/fp.mk tests/receive.mk tests/bench.mk
-
-include sim/rtl.mk sim/pictures.mk
+include sim/rtl.mk sim/pictures.mk tests/fp.mk tests/receive.mk tests/bench.mk
 
 # --- What there is to do --------------------------------------------------------------------------
 .PHONY: run test lint format clean help

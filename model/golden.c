@@ -44,6 +44,24 @@ void hs_golden_free(hs_golden *golden) {
     free(golden);
 }
 
+size_t hs_golden_bytes(const hs_golden *golden) {
+    const hs_state *s = &golden->state;
+    const size_t vertex = sizeof *s->position + sizeof *s->old + sizeof *s->clip + sizeof *s->sum +
+                          sizeof *s->mark + sizeof *s->valence + sizeof *s->sent +
+                          sizeof *s->stays + sizeof *s->crease;
+    const size_t face = sizeof *s->first + sizeof *s->candidate + sizeof *s->forced +
+                        sizeof *s->next_candidate + sizeof *s->next_forced + sizeof *s->point +
+                        sizeof *s->face_mark + sizeof *s->decision + sizeof *s->number;
+    const size_t halfedge = sizeof *s->face + sizeof *s->origin + sizeof *s->twin +
+                            sizeof *s->child + sizeof *s->sharp + sizeof *s->next_sharp +
+                            sizeof *s->next_origin + sizeof *s->next_twin;
+    size_t bytes = sizeof *golden + s->vertex_room * vertex + s->ring_room * sizeof *s->ring +
+                   s->face_room * face + s->halfedge_room * halfedge;
+    for (size_t g = 0; g < GENERATIONS; g++)
+        bytes += golden->decision_room[g];
+    return bytes;
+}
+
 void hs_golden_observe(hs_golden *golden, const hs_observer *observer) {
     golden->observer = observer ? *observer : (hs_observer){0};
 }

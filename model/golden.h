@@ -55,6 +55,9 @@ typedef struct hs_golden hs_golden;
 hs_golden *hs_golden_new(hs_limits limits);
 void hs_golden_free(hs_golden *golden);
 
+/* Bytes that the context holds. */
+size_t hs_golden_bytes(const hs_golden *golden);
+
 /* Runs one view. Hostile packets are fine: they give an output packet with an error status. The
  * result depends on this packet and the limits alone. False only when memory is exhausted. */
 bool hs_golden_run(hs_golden *golden, const hs_packet *in, hs_packet *out, hs_golden_report *report,

@@ -44,4 +44,13 @@ uint32_t hs_view_depth(const hs_settings *settings, const hs_mesh *mesh);
 hs_bound hs_bound_of(const hs_settings *settings, uint32_t depth, const hs_generation *generation,
                      uint32_t generations, uint32_t vertices, size_t words_in, size_t words_out);
 
+/* What this pipeline takes, in closed form, from the same counts (docs/timing.md derives it): each
+ * pass that it makes at an item a cycle, and what the bound leaves out: records before generation
+ * 0, smooth's walk over the marks, vertices that stay or leave, five records for four of them, and
+ * about eighty cycles of latency a generation. For the default architecture, without stalls;
+ * conflicts are not in it. */
+uint64_t hs_expected_of(const hs_settings *settings, uint32_t depth,
+                        const hs_generation *generation, uint32_t generations, size_t words_in,
+                        uint32_t vertices_out);
+
 #endif

@@ -6,8 +6,20 @@ $(BUILD)/bench: $(BUILD)/tests/osd.o
 $(BUILD)/bench: LIBS += -losdCPU
 
 .PHONY: bench throughput baselines accuracy saving
-bench: $(BUILD)/bench ## golden's speed beside OpenSubdiv's, one thread
-	$<
+bench: $(BUILD)/bench $(BUILD)/bench_cycles $(BUILD)/test_rtl_throughput $(BUILD)/gnuplot.there ## tables: throughput, speed of rtl and model, golden beside OpenSubdiv, scaling
+	@$(BUILD)/test_rtl_throughput | grep -v '^\['
+	@echo; $(BUILD)/bench_cycles
+	@gnuplot tests/scaling.gp && echo "out/bench/scaling.png"
+	@echo; $(BUILD)/bench
+
+$(BUILD)/bench_cycles: $(BUILD)/tests/bench_cycles.o $(RTL_LIBS)
+	$(LINK_RTL) -lcmocka
+
+# For the plot alone, so that the tests need not have it.
+$(BUILD)/gnuplot.there:
+	@command -v gnuplot >/dev/null || { test $$(id -u) = 0 || sudo=sudo; \
+	    $$sudo apt-get -qq update && $$sudo apt-get -qq install -y --no-install-recommends gnuplot-nox >/dev/null; }
+	@touch $@
 
 throughput: $(BUILD)/test_rtl_throughput ## cycles of views through the RTL beside their bounds
 	$<
