@@ -337,10 +337,16 @@ module emit #(
   // What the users owe.
   op_stays :
   assert property (@(posedge clk_i) disable iff (rst_i)
-      op_valid_i && !op_ready_o |=> op_valid_i && $stable(
+      op_valid_i && !op_ready_o |=> op_valid_i && $stable(op_kind_i) && $stable(op_number_i))
+  else $error("emit: an op was withdrawn before it was taken");
+`ifdef HS_ASSERT_DATA
+  op_keeps :
+  assert property (@(posedge clk_i) disable iff (rst_i)
+      op_valid_i && !op_ready_o |=> $stable(
       {op_kind_i, op_generation_i, op_number_i, op_position_i, op_group_i, op_at_level_i, op_mask_i,
        op_triangle_i, op_child_i, op_candidate_i, op_vertex_i, op_sides_i, op_first_i, op_last_i}))
-  else $error("emit: an op was withdrawn before it was taken");
+  else $error("emit: an op changed before it was taken");
+`endif
   op_is_known :
   assert property (@(posedge clk_i) disable iff (rst_i)
       op_valid_i |-> op_kind_i <= GROUP && (op_kind_i == HEADER || working_q))

