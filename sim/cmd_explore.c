@@ -300,7 +300,8 @@ static bool encode_views(exploration *e, uint32_t *fingerprint, hs_error *err) {
         hs_packet *p = &e->packet[v];
         if (!hs_packet_encode(p, v, &e->mesh, e->views.view[v].matrix, &e->request->settings, err))
             return false;
-        *fingerprint = hs_crc(*fingerprint, p->word, p->words);
+        /* Without its own CRC, behind which that of any packet is the same. */
+        *fingerprint = hs_crc(*fingerprint, p->word, p->words - 1);
     }
     for (uint64_t point = 0; point < e->points; point += e->views.count) {
         const hs_model_config config = hs_explore_config(&e->space, point);

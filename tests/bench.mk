@@ -5,6 +5,14 @@
 $(BUILD)/bench: $(BUILD)/tests/osd.o
 $(BUILD)/bench: LIBS += -losdCPU
 
+# Explorations in parts: a Slurm job array on this machine, and GNU parallel.
+.PHONY: slurm
+slurm: $(BUILD)/halfstep ## an exploration as a Slurm job array, on a cluster started here for it (root)
+	@command -v slurmctld slurmd sbatch munged parallel >/dev/null 2>&1 && [ -x "$$(command -v slurmctld)" ] || { \
+	    DEBIAN_FRONTEND=noninteractive; export DEBIAN_FRONTEND; \
+	    apt-get -qq update && apt-get -qq install -y --no-install-recommends slurmctld slurmd slurm-client munge parallel >/dev/null; }
+	@tests/slurm_loopback $<
+
 .PHONY: bench throughput baselines accuracy saving
 bench: $(BUILD)/bench $(BUILD)/bench_cycles $(BUILD)/test_rtl_throughput $(BUILD)/gnuplot.there ## tables: throughput, speed of rtl and model, golden beside OpenSubdiv, scaling
 	@$(BUILD)/test_rtl_throughput | grep -v '^\['
