@@ -197,11 +197,48 @@ static bool count_last_generation(hs_golden *golden) {
     return keep_decisions(golden);
 }
 
+/* Keeps of a generation that a whole level takes along: everything is refined. */
+static bool keep_whole(hs_golden *golden, uint32_t g, hs_generation count) {
+    if (count.active > golden->decision_room[g]) {
+        if (!resize(&golden->decision[g], count.active, 1)) return false;
+        golden->decision_room[g] = count.active;
+    }
+    memset(golden->decision[g], FACE_SELECTED | FACE_REFINED, count.active);
+    count.selected = count.refined = count.active;
+    golden->generation[g] = count;
+    return true;
+}
+
+static bool refine_level(hs_golden *golden) {
+    hs_state *s = &golden->state;
+    hs_generation first = new_count(s);
+    const hs_generation second = {.active = 2 * first.active,
+                                  .corners = 8 * first.active,
+                                  .vertices = first.vertices + first.active};
+    if (!hs_level_plain(s, &first.moved) || !keep_whole(golden, s->generation, first) ||
+        !keep_whole(golden, s->generation + 1, second))
+        return false;
+    s->refined = 3 * first.active;
+    s->next_boundary = 0;
+    s->generation++; /* the one that was passed by */
+    enter_next_generation(s);
+    return true;
+}
+
+/* Whether somebody wants to see every generation. */
+static bool watched(const hs_observer *o) {
+    return (o->entered && !o->levels) || o->decided || o->smoothed || o->divided;
+}
+
 static bool refine(hs_golden *golden) {
     hs_state *s = &golden->state;
     const hs_observer *o = &golden->observer;
     for (;;) {
         if (o->entered) o->entered(o->context, s);
+        if (!watched(o) && hs_level_fits(s)) {
+            if (!refine_level(golden)) return false;
+            continue;
+        }
         s->count = new_count(s);
         hs_stage_classify(s);
         hs_stage_select(s);

@@ -57,6 +57,7 @@ typedef struct hs_state {
     uint32_t *origin, *twin; /* per half-edge; HS_BORDER: no active face beyond */
     uint8_t *sharp;          /* per half-edge: of the edge; odd generations: of the edge that
                                 the quad was made of, four times */
+    bool closed;             /* every half-edge has a twin */
     bool mark_always; /* faces get their marks in uniform runs too, which have no use for them */
     bool unmarked;    /* in this run they do not */
     bool plain;       /* nothing is sharp, no boundary but a kept one, no limit, no least edge */
@@ -115,6 +116,8 @@ bool hs_state_reserve(hs_state *s, size_t vertices, size_t faces, size_t halfedg
  * invariants, and for measurements. Each function may be NULL; context is handed to both. */
 typedef struct hs_observer {
     void *context;
+    /* Whole levels at a time will do: then uniform runs may pass by odd generations. */
+    bool levels;
     /* The generation's active mesh is complete; no stage has begun to work on it. */
     void (*entered)(void *context, const hs_state *s);
     /* Marks, face points and decisions are known; no vertex has moved, nothing was sent. If
@@ -146,6 +149,11 @@ void hs_stage_guard(hs_state *s);
 void hs_stage_smooth(hs_state *s);
 void hs_stage_split(hs_state *s);
 void hs_split_plain(hs_state *s);
+
+/* Two steps in one go (level_plain.c), where they fit in: the next even generation is ready to be
+ * entered, and *moved vertices have moved. False if memory is exhausted. */
+bool hs_level_fits(const hs_state *s);
+bool hs_level_plain(hs_state *s, uint32_t *moved);
 
 /* The emit stage, an operation at a time. */
 void hs_emit_header(hs_state *s);

@@ -208,6 +208,7 @@ static void find_sharp_vertices(hs_state *s) {
     }
     const bool kept = s->settings.boundary == HS_BOUNDARY_KEPT;
     s->plain = !s->settings.limit && !s->settings.min_edge;
+    s->closed = true;
     s->boundary = 0;
     for (uint32_t h = 0; h < s->halfedges; h++) {
         uint8_t *of_origin = largest[s->origin[h]];
@@ -216,6 +217,7 @@ static void find_sharp_vertices(hs_state *s) {
             s->plain &= !s->sharp[h];
         } else {
             s->sharp[h] = 0;
+            s->closed = false;
             if (kept) continue;
             s->twin[h] = BOUNDARY_TWIN;
             insert(of_origin, HS_SHARP_INFINITE);

@@ -14,7 +14,7 @@
  * context, OpenSubdiv in a new refiner, and malloc returns what is freed to the system; all pages
  * are new, as in a program's first view. Warm: golden in a context that had this view before;
  * OpenSubdiv in a new refiner (it has no other way), but malloc keeps what is freed, so that its
- * pages are there.
+ * pages are there. OpenSubdiv's positions alone, without topology, tell how fast the machine is.
  */
 #include <malloc.h>
 #include <stdio.h>
@@ -81,7 +81,7 @@ static double time_refinement(hs_golden *golden, const hs_mesh *mesh, uint32_t d
                               uint32_t *faces) {
     stopwatch watch = {.generation = depth};
     hs_packet out = {0};
-    hs_golden_observe(golden, &(hs_observer){.context = &watch, .entered = press});
+    hs_golden_observe(golden, &(hs_observer){.context = &watch, .levels = true, .entered = press});
     run(golden, mesh, depth + 1, &out);
     hs_golden_observe(golden, NULL);
     hs_packet_free(&out);
@@ -106,36 +106,38 @@ static void keep_memory(bool keep) {
     malloc_trim(0);
 }
 
-static void keep_least_osd(double *least, const hs_mesh *mesh, uint32_t levels) {
+static void keep_least_osd(double *least, double *positions, const hs_mesh *mesh, uint32_t levels) {
     osd_timing osd;
     hs_error err;
     quit_on(osd_time(&osd, mesh, levels, &err), &err);
     keep_least(least, osd.topology + osd.position);
+    keep_least(positions, osd.position);
 }
 
 static void compare_at(const hs_mesh *mesh, uint32_t levels) {
-    double fresh = 0, osd_fresh = 0, warm = 0, osd_warm = 0, packet = 0;
+    double fresh = 0, osd_fresh = 0, warm = 0, osd_warm = 0, packet = 0, positions = 0;
+    const int rounds = levels < 5 ? ROUNDS : 3; /* a round takes seconds */
     uint32_t faces = 0;
     keep_memory(false);
-    for (int i = 0; i < ROUNDS; i++) {
+    for (int i = 0; i < rounds; i++) {
         hs_golden *golden = new_golden();
         keep_least(&fresh, time_refinement(golden, mesh, 2 * levels, &faces));
         hs_golden_free(golden);
-        keep_least_osd(&osd_fresh, mesh, levels);
+        keep_least_osd(&osd_fresh, &positions, mesh, levels);
     }
     keep_memory(true);
     hs_golden *golden = new_golden();
     hs_packet out = {0};
     time_refinement(golden, mesh, 2 * levels, &faces);
-    for (int i = 0; i < ROUNDS; i++) {
+    for (int i = 0; i < rounds; i++) {
         keep_least(&warm, time_refinement(golden, mesh, 2 * levels, &faces));
         keep_least(&packet, time_packet(golden, mesh, 2 * levels, &out));
-        keep_least_osd(&osd_warm, mesh, levels);
+        keep_least_osd(&osd_warm, &positions, mesh, levels);
     }
     const double m = 1e-6 * faces;
-    printf("%5u %5u %8u | %7.1f %7.1f %6.2f | %7.1f %7.1f %6.2f | %7.1f\n", levels, 2 * levels,
-           faces, m / fresh, m / osd_fresh, osd_fresh / fresh, m / warm, m / osd_warm,
-           osd_warm / warm, m / packet);
+    printf("%5u %5u %8u | %6.1f %6.1f %5.2f | %6.1f %6.1f %5.2f | %7.1f | %7.1f\n", levels,
+           2 * levels, faces, m / fresh, m / osd_fresh, osd_fresh / fresh, m / warm, m / osd_warm,
+           osd_warm / warm, m / packet, m / positions);
     hs_packet_free(&out);
     hs_golden_free(golden);
 }
@@ -151,9 +153,10 @@ int main(void) {
     printf("uniform refinement of %s: %u faces, %u vertices; one thread;\n"
            "millions of output faces per second, the best of %d rounds\n\n",
            name, mesh.faces, mesh.vertices, ROUNDS);
-    printf("                     |      fresh memory       |       warm memory       | golden,\n"
-           "level depth    faces |  golden  OpenSD  ratio |  golden  OpenSD  ratio |  packet\n");
-    for (uint32_t levels = 2; levels <= 4; levels++)
+    printf(
+        "                     |    fresh memory     |     warm memory     | golden, | OpenSD,\n"
+        "level depth    faces | golden OpenSD ratio | golden OpenSD ratio |  packet | positions\n");
+    for (uint32_t levels = 2; levels <= 6; levels += levels < 4 ? 1 : 2)
         compare_at(&mesh, levels);
     hs_mesh_free(&mesh);
     return HS_EXIT_OK;
