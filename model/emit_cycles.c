@@ -14,29 +14,33 @@ enum { ROWS = 2, ROW_RECORDS = 4, GROUP_VERTICES = 4 };
 /* --- The output's pauses ------------------------------------------------------------------------
  */
 
-/* The first cycle from t on in which the output takes a beat. */
-static hs_time output_ready(hs_emit_cycles *e, hs_time t) {
-    if (e->pauses.percent == 0) return t;
+void hs_output_start(hs_output_port *o, hs_stalls stalls) {
+    o->pauses = hs_pauses_start(stalls.seed, HS_PAUSES_OUTPUT, stalls.output);
+    o->known = 0;
+    o->exhausted = false;
+}
+
+hs_time hs_output_ready(hs_output_port *o, hs_time t) {
+    if (o->pauses.percent == 0) return t;
     for (;; t++) {
-        while (e->ready_known <= t) {
-            const size_t word = e->ready_known / 64;
-            if (word >= e->ready_room) {
-                const size_t room = e->ready_room ? 2 * e->ready_room : 1024;
-                uint64_t *more = realloc(e->ready, room * sizeof *more);
+        while (o->known <= t) {
+            const size_t word = o->known / 64;
+            if (word >= o->room) {
+                const size_t room = o->room ? 2 * o->room : 1024;
+                uint64_t *more = realloc(o->ready, room * sizeof *more);
                 if (!more) {
-                    e->exhausted = true;
+                    o->exhausted = true;
                     return t;
                 }
-                memset(more + e->ready_room, 0, (room - e->ready_room) * sizeof *more);
-                e->ready = more;
-                e->ready_room = room;
+                o->ready = more;
+                o->room = room;
             }
-            const uint64_t bit = UINT64_C(1) << e->ready_known % 64;
-            e->ready[word] &= ~bit;
-            if (!hs_pauses_next(&e->pauses)) e->ready[word] |= bit;
-            e->ready_known++;
+            const uint64_t bit = UINT64_C(1) << o->known % 64;
+            if (o->known % 64 == 0) o->ready[word] = 0;
+            if (!hs_pauses_next(&o->pauses)) o->ready[word] |= bit;
+            o->known++;
         }
-        if (e->ready[t / 64] >> t % 64 & 1) return t;
+        if (o->ready[t / 64] >> t % 64 & 1) return t;
     }
 }
 
@@ -69,7 +73,8 @@ static void push_row(hs_model *m, hs_time t, uint32_t records) {
     for (uint32_t at = 0; at < records; at += m->config.port) {
         /* A beat is loaded when the one before it was, or is being, taken. */
         e->beat_loaded = hs_later(hs_later(t, e->beat_loaded) + 1, e->beat_taken);
-        e->beat_taken = output_ready(e, e->beat_loaded + 1);
+        e->beat_taken = e->port ? hs_output_ready(e->port, e->beat_loaded + 1)
+                                : e->take_beat(e->context, e->beat_loaded + 1);
         note_beat(e, e->beat_taken);
     }
     e->row_left[e->rows++ % ROWS] = e->beat_loaded;
@@ -158,10 +163,9 @@ static void make_records(hs_model *m, const hs_op *next, hs_time t) {
 
 void hs_emit_begin(hs_model *m) {
     hs_emit_cycles *e = &m->emit;
-    *e = (hs_emit_cycles){.pauses =
-                              hs_pauses_start(m->stalls.seed, HS_PAUSES_OUTPUT, m->stalls.output),
-                          .ready = e->ready,
-                          .ready_room = e->ready_room,
+    *e = (hs_emit_cycles){.port = e->port,
+                          .take_beat = e->take_beat,
+                          .context = e->context,
                           .beat_cycle = e->beat_cycle,
                           .beat_room = e->beat_room};
 }

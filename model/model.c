@@ -151,7 +151,8 @@ hs_model_config hs_model_config_decode(uint32_t architecture) {
                                     .window = 1u << (architecture >> 8 & 0xf),
                                     .lanes = 1u << (architecture >> 12 & 0xf),
                                     .latency = architecture >> 16 & 0xf,
-                                    .ops = 1u << (architecture >> 20 & 0xf)};
+                                    .ops = 1u << (architecture >> 20 & 0xf),
+                                    .views = architecture >> 24 & 0xf};
     return config;
 }
 
@@ -171,6 +172,8 @@ bool hs_model_config_good(const hs_model_config *c, hs_error *err) {
         return hs_fail(err, HS_EXIT_USAGE, "lanes is %u; it should be 1, 2, 4, 8 or 16", c->lanes);
     if (c->latency < 1 || c->latency > 8)
         return hs_fail(err, HS_EXIT_USAGE, "latency is %u; it should be 1 to 8 cycles", c->latency);
+    if (c->views < 1 || c->views > HS_MOST_VIEWS)
+        return hs_fail(err, HS_EXIT_USAGE, "views is %u; it should be 1 to 8", c->views);
     if (!power_of_two(c->ops, 16, 256))
         return hs_fail(err, HS_EXIT_USAGE, "ops is %u; it should be 16, 32, 64, 128 or 256",
                        c->ops);
@@ -200,7 +203,7 @@ void hs_model_free(hs_model *m) {
     if (!m) return;
     hs_golden_free(m->golden);
     free(m->sent);
-    free(m->emit.ready);
+    free(m->output.ready);
     free(m->emit.beat_cycle);
     free(m);
 }
@@ -227,18 +230,15 @@ static void log_beats(hs_model *m, const hs_packet *out) {
     }
 }
 
-bool hs_model_run(hs_model *m, const hs_packet *in, hs_stalls stalls, hs_packet *out,
-                  hs_golden_report *report, hs_cycle_report *cycles, hs_log *log, hs_error *err) {
+bool hs_model_view(hs_model *m, const hs_packet *in, hs_packet *out, hs_golden_report *report,
+                   hs_cycle_report *cycles, hs_error *err) {
     *cycles = (hs_cycle_report){0};
     m->in = in;
-    m->stalls = stalls;
     m->report = cycles;
-    m->log = log;
     m->entered = m->exhausted = false;
-    m->smooth_logged = 0;
+    m->smooth_logged = m->log ? m->log->probe[HS_PROBE_smooth_out].count : 0;
     m->traffic = (hs_model_traffic){0};
-    if (log) hs_log_clear(log);
-    hs_golden_mark_always(m->golden, log != NULL);
+    hs_golden_mark_always(m->golden, m->log != NULL);
     hs_emit_begin(m);
     if (!hs_golden_run(m->golden, in, out, report, err)) return false;
     if (!m->entered) refused(m, hs_golden_state(m->golden));
@@ -249,6 +249,22 @@ bool hs_model_run(hs_model *m, const hs_packet *in, hs_stalls stalls, hs_packet 
     if (m->exhausted || m->emit.exhausted)
         return hs_fail(err, HS_EXIT_INTERNAL, "view %u: out of memory in the model", in->view);
     return true;
+}
+
+bool hs_model_run(hs_model *m, const hs_packet *in, hs_stalls stalls, hs_packet *out,
+                  hs_golden_report *report, hs_cycle_report *cycles, hs_log *log, hs_error *err) {
+    hs_pauses input = hs_pauses_start(stalls.seed, HS_PAUSES_INPUT, stalls.input);
+    m->input = &input;
+    m->offered = m->free = 0;
+    while (hs_pauses_next(&input))
+        m->offered++;
+    m->log = log;
+    if (log) hs_log_clear(log);
+    hs_output_start(&m->output, stalls);
+    m->emit.port = &m->output;
+    return hs_model_view(m, in, out, report, cycles, err) &&
+           (!m->output.exhausted ||
+            hs_fail(err, HS_EXIT_INTERNAL, "view %u: out of memory in the model", in->view));
 }
 
 hs_model_traffic hs_model_traffic_of(const hs_model *m) {

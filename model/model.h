@@ -24,10 +24,12 @@ typedef struct hs_model_config {
                          power of two, 1 to 16 */
     uint32_t latency; /* cycles from a request of a window to its word: 1 to 8 */
     uint32_t ops;     /* that wait for emit: a power of two, 16 to 256 */
+    uint32_t views;   /* in flight, each in a pipeline of its own: 1 to 8 (hs_flight) */
 } hs_model_config;
 
 #define HS_DEFAULT_CONFIG                                                                          \
-    ((hs_model_config){.port = 4, .banks = 8, .window = 8, .lanes = 8, .latency = 1, .ops = 16})
+    ((hs_model_config){                                                                            \
+        .port = 4, .banks = 8, .window = 8, .lanes = 8, .latency = 1, .ops = 16, .views = 1})
 
 /* What the register ARCHITECTURE says. */
 hs_model_config hs_model_config_decode(uint32_t architecture);
@@ -60,6 +62,27 @@ hs_model_traffic hs_model_traffic_of(const hs_model *model);
 
 /* As hs_rtl_word_cycle: when a word of the last run's output was taken. */
 uint64_t hs_model_word_cycle(const hs_model *model, size_t word);
+
+/* --- Views in flight ----------------------------------------------------------------------------
+ *
+ * config.views pipelines behind one input and before one output, as rtl/halfstep.sv has them.
+ */
+typedef struct hs_flight hs_flight;
+
+/* When a view's first beat was offered and its last one out, from the start of the stream. */
+typedef struct hs_flight_view {
+    uint64_t start, end;
+    uint32_t pipeline;
+} hs_flight_view;
+
+hs_flight *hs_flight_new(hs_limits limits, hs_model_config config, hs_error *err);
+void hs_flight_free(hs_flight *flight);
+
+/* Streams `count` packets in, one behind the other, and their answers out. log: one for each
+ * pipeline, or NULL. *cycles: from the first beat offered to the last one out. */
+bool hs_flight_run(hs_flight *flight, const hs_packet *in, uint32_t count, hs_stalls stalls,
+                   hs_packet *out, hs_golden_report *report, hs_flight_view *view, uint64_t *cycles,
+                   hs_log *log, hs_error *err);
 
 #ifdef __cplusplus
 }

@@ -47,5 +47,6 @@ uint64_t hs_model_memory_bits(const hs_model_config *c) {
     const uint64_t vertex = HS_BIRTH_WORDS + HS_RING_WORD + 2;
     const uint64_t quad = 4 * HS_HALF_WORD + 2 * HS_EDGE_WORD + HS_POINT_WORD + 1 +
                           2 * HS_VERDICT_WORD + HS_NUMBER_WORD;
-    return capacity.vertices * vertex + capacity.quads * quad + window_bits(c) + fifo_bits(c);
+    return c->views *
+           (capacity.vertices * vertex + capacity.quads * quad + window_bits(c) + fifo_bits(c));
 }

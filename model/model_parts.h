@@ -65,7 +65,7 @@ static inline hs_time hs_queue_wait(hs_queue *q, hs_time t) {
  * bank serves its requests in the order in which they entered, one a cycle. Where there are fewer
  * lanes than banks, the oldest requests get them: what is older never waits for what is younger.
  */
-enum { HS_MOST_BANKS = 16, HS_MOST_WINDOW = 32, HS_LANES = 4 };
+enum { HS_MOST_VIEWS = 8, HS_MOST_BANKS = 16, HS_MOST_WINDOW = 32, HS_LANES = 4 };
 
 typedef struct hs_conflicts {
     hs_time until;  /* cycles before this one are counted */
@@ -178,11 +178,23 @@ enum {
 
 /* --- emit.sv, pack.sv ---------------------------------------------------------------------------
  */
+/* The output's pauses: the generator's bits, a cycle each, as far as it has run. */
+typedef struct hs_output_port {
+    hs_pauses pauses;
+    uint64_t *ready;
+    size_t room;
+    hs_time known;
+    bool exhausted;
+} hs_output_port;
+
+void hs_output_start(hs_output_port *o, hs_stalls stalls);
+/* The first cycle from t on in which the output takes a beat. */
+hs_time hs_output_ready(hs_output_port *o, hs_time t);
+
 typedef struct hs_emit_cycles {
-    hs_pauses pauses; /* of the output */
-    uint64_t *ready;  /* a bit a cycle, as far as the generator has run */
-    size_t ready_room;
-    hs_time ready_known;
+    hs_output_port *port; /* where beats go; NULL: to take_beat */
+    hs_time (*take_beat)(void *context, hs_time t);
+    void *context;
 
     /* The op that was taken last: its records are made as soon as it is known what follows. */
     uint32_t kind, generation, mask;
@@ -214,13 +226,15 @@ typedef struct hs_op {
 /* --- The model ----------------------------------------------------------------------------------
  */
 struct hs_model {
-    hs_limits limits;
     hs_model_config config;
+    hs_output_port output; /* of a model alone */
     hs_golden *golden;
 
     /* The view */
     const hs_packet *in;
-    hs_stalls stalls;
+    hs_pauses *input;      /* the input's pauses */
+    hs_time offered, free; /* its first beat is offered; the pipeline is ready for it */
+    hs_time received;      /* its last beat was taken */
     hs_cycle_report *report;
     hs_model_traffic traffic;
     hs_log *log;          /* or NULL */
@@ -296,7 +310,11 @@ hs_time hs_cycles_pass(hs_model *m, const hs_state *s, hs_time kick);
 /* retag.sv, beside smooth: when it is at rest. */
 hs_time hs_cycles_retag(const hs_model *m, const hs_state *s, hs_time kick);
 
+/* Empties emit; where its beats go stays as it is. */
 void hs_emit_begin(hs_model *m);
+/* One view: hs_model_run without its log's, its input's and its output's start. */
+bool hs_model_view(hs_model *m, const hs_packet *in, hs_packet *out, hs_golden_report *report,
+                   hs_cycle_report *cycles, hs_error *err);
 /* Offers an op from cycle t on; the cycle in which emit takes it. Ops come in order. */
 hs_time hs_emit_op(hs_model *m, hs_time t, const hs_op *op);
 /* Behind the trailer: the cycle in which the sequencer hears that the last beat was taken. */

@@ -20,7 +20,6 @@ enum {
 typedef struct arrival {
     hs_model *m;
     const hs_state *s;
-    hs_pauses pauses;
     size_t records, stored; /* of the packet; before the first that is wrong */
     hs_time overflow;       /* nothing is stored behind this cycle */
     hs_time start, first;   /* the first beat is offered, the first record is there */
@@ -92,14 +91,16 @@ static void record(arrival *a, hs_time t, size_t number) {
 /* Takes the packet apart, beat by beat. */
 static void arrive(arrival *a) {
     const uint32_t port = a->m->config.port;
-    hs_time free = 0, offered = 0; /* unpack has room; the next beat may be offered */
+    hs_time free = a->m->free, offered = a->m->offered; /* unpack has room; a beat is offered */
     size_t at = 0, beat = 0;
     do {
         const size_t left = a->records - at;
         const uint32_t count = left < port ? (uint32_t)left : port;
-        while (hs_pauses_next(&a->pauses))
-            offered++;
-        if (at == 0) a->start = offered;
+        if (at == 0)
+            a->start = offered;
+        else
+            while (hs_pauses_next(a->m->input))
+                offered++;
         const hs_time taken = hs_later(offered, free);
         hs_log_words(a->m, HS_PROBE_beat_in, taken, (uint32_t)beat++, count, 0, 0, 0);
         for (uint32_t k = 0; k < count; k++)
@@ -107,6 +108,7 @@ static void arrive(arrival *a) {
         if (at == 0) a->first = taken + 1;
         free = taken + (count ? count : 1);
         offered = taken + 1;
+        a->m->received = taken;
         at += count;
         a->end = free;
     } while (at < a->records);
@@ -132,11 +134,7 @@ static void quantized(hs_model *m, const hs_state *s, hs_time kick) {
 
 hs_time hs_cycles_receive(hs_model *m, const hs_state *s) {
     hs_cycle_report *r = m->report;
-    arrival a = {.m = m,
-                 .s = s,
-                 .pauses = hs_pauses_start(m->stalls.seed, HS_PAUSES_INPUT, m->stalls.input),
-                 .records = (m->in->words + 3) / 4,
-                 .overflow = UINT64_MAX};
+    arrival a = {.m = m, .s = s, .records = (m->in->words + 3) / 4, .overflow = UINT64_MAX};
     a.stored = stored_records(s, a.records);
     arrive(&a);
     r->start = a.start;

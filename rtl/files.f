@@ -3,9 +3,11 @@ rtl/accumulate.sv
 rtl/banked_memory.sv
 rtl/check_twins.sv
 rtl/classify.sv
+rtl/collect.sv
 rtl/contributions.sv
 rtl/counters.sv
 rtl/crc32.sv
+rtl/deal.sv
 rtl/divide.sv
 rtl/emit.sv
 rtl/face_geometry.sv
@@ -22,6 +24,7 @@ rtl/halfstep.sv
 rtl/marks.sv
 rtl/masks.sv
 rtl/pack.sv
+rtl/pipeline.sv
 rtl/quantize.sv
 rtl/receive.sv
 rtl/receive_check.sv

@@ -4,16 +4,16 @@
 // vertices, faces), one out (refined vertices, final faces): docs/stream.md. Registers and counters
 // over AXI4-Lite: docs/reference.md.
 //
-//   s_axis --> receive --> transform --> quantize     vertex_memory   record_memory   face_memory
-//                                           |              |                |              |
-//                  +---> classify --> select --> guard --> smooth --> split --+     sequencer
-//                  +----------------- once a generation ----------------------+
-//                                                             |         |
-//                                                             +-- emit -+--> m_axis
+//                 +--> pipeline 0 --+
+//   s_axis --> deal --> ...         +--> collect --> m_axis        registers: s_axil
+//                 +--> pipeline n --+
 //
-//   * Views are worked on one after the other, in the order of their packets; an output packet
-//     carries its input packet's TID.
-//   * VERTICES and QUADS are the capacities; views that need more are refused, or stop early.
+//   * Each pipeline works on one view at a time; VIEWS views are in flight. A packet goes to the next
+//     pipeline, in turn, that is ready for one.
+//   * With one pipeline output packets come in the order of their input packets, one after the other.
+//     With more, beats of different views may interleave: TID, that of the input packet, says whose
+//     they are; the beats of each view are those that one pipeline alone would send, in that order.
+//   * VERTICES and QUADS are the capacities of each; views that need more are refused, or stop early.
 
 module halfstep #(
     // Vertices held; a power of two, 64 to 2^24.
@@ -31,7 +31,9 @@ module halfstep #(
     // Cycles from a request of a window to its word: 1 to 8.
     parameter int unsigned READ_LATENCY = 1,
     // Ops of smooth and of split that wait for emit: a power of two, 16 to 256.
-    parameter int unsigned OPS = 16
+    parameter int unsigned OPS = 16,
+    // Views in flight: 1 to 8.
+    parameter int unsigned VIEWS = 1
 ) (
     input logic clk_i,
     input logic rst_i,  // synchronous
@@ -91,280 +93,112 @@ module halfstep #(
     if (OPS < 16 || OPS > 256 || (OPS & (OPS - 1)) != 0) begin : g_bad_ops
       $error("halfstep: OPS must be a power of two, 16 to 256");
     end
+    if (VIEWS < 1 || VIEWS > 8) begin : g_bad_views
+      $error("halfstep: VIEWS must be 1 to 8");
+    end
   endgenerate
 
   localparam int unsigned VW = $clog2(VERTICES);
   localparam int unsigned QW = $clog2(QUADS);
-  localparam int unsigned STAGES = 9;
-  // {log2 OPS, READ_LATENCY, log2 LANES, WINDOW_BITS, BANK_BITS, log2 PORT_RECORDS}, 4 bits each
+  localparam int unsigned DATA = 128 * PORT_RECORDS;
+  localparam int unsigned KEEP = 16 * PORT_RECORDS;
+  // {VIEWS, log2 OPS, READ_LATENCY, log2 LANES, WINDOW_BITS, BANK_BITS, log2 PORT_RECORDS}, 4 bits each
   localparam logic [31:0] ARCHITECTURE = {
-    8'd0, 4'($clog2(OPS)), 4'(READ_LATENCY), 4'($clog2(LANES)), 4'(WINDOW_BITS), 4'(BANK_BITS),
+    4'd0, 4'(VIEWS), 4'($clog2(OPS)), 4'(READ_LATENCY), 4'($clog2(LANES)), 4'(WINDOW_BITS), 4'(BANK_BITS),
     4'($clog2(PORT_RECORDS))
   };
 
-  // What each stage did in this cycle, for the counters.
-  logic [STAGES-1:0] busy, starved, blocked;
-  logic [3*STAGES-1:0] items_in, items_out;
-
-  // --- The view, from receive and quantize -------------------------------------------------------
-  logic uniform, guarded, closed, limit, kept, corners_stay;
-  logic [15:0] min_edge, width, height;
-  logic [7:0] front_depth, silhouette_depth, uniform_depth, forced_max, receive_status;
-  logic [31:0] receive_position;
-  logic [15:0] view;
-  logic [VW:0] vertices_in;
-  logic [QW:0] faces_in, halfedges_in, boundary_in;
-  logic [511:0] matrix;
-  logic signed [9:0] exponent;
-
-  // --- The generation, from the sequencer --------------------------------------------------------
-  logic [7:0] generation;
-  logic odd, quads, side, all, last_step, finish, refused, pass, edge_points;
-  logic [7:0] marked;
-  logic [QW:0] items;
-  logic [VW:0] vertices, new_vertices;
-
-  // --- Registers and counters --------------------------------------------------------------------
+  // --- Registers -----------------------------------------------------------------------------------
   // The registers are as wide as the largest capacity needs.
   /* verilator lint_off UNUSEDSIGNAL */
   logic [24:0] limit_vertices, limit_quads;
+  logic [3:0] pipeline_shown;  // whose counters are read
   /* verilator lint_on UNUSEDSIGNAL */
-  logic view_done, view_busy, sample, counter_known;
-  logic [7:0] status;
-  logic [31:0] position, cycles, cycles_high, conflicts, counter;
+  logic sample, view_done;
   logic [8:0] counter_address;
-  logic [3:0] conflict;
+  logic [VIEWS-1:0] busy, done, done_q, told, known;
+  logic [8*VIEWS-1:0] status;
+  logic [32*VIEWS-1:0] position, cycles, cycles_high, conflicts, counter;
+  logic [7:0] status_told;
+  logic [31:0] position_told;
+  logic [31:0] shown;
+
+  // Views that end in the same cycle are told one after the other.
+  assign told = (done | done_q) & (~(done | done_q) + VIEWS'(1));
+  assign view_done = told != '0;
+
+  always_ff @(posedge clk_i) done_q <= rst_i ? '0 : (done | done_q) & ~told;
+
+  always_comb begin
+    status_told = '0;
+    position_told = '0;
+    for (int p = 0; p < VIEWS; p++)
+      if (told[p]) begin
+        status_told = status[8*p+:8];
+        position_told = position[32*p+:32];
+      end
+  end
+  assign shown = 32'(pipeline_shown) < VIEWS ? 32'(pipeline_shown) : 32'd0;
 
   registers #(
-      .VERTICES(VERTICES), .QUADS(QUADS),
-      .ARCHITECTURE(ARCHITECTURE)
+      .VERTICES(VERTICES), .QUADS(QUADS), .ARCHITECTURE(ARCHITECTURE)
   ) u_registers (
       .clk_i, .rst_i, .s_axil_awvalid, .s_axil_awready, .s_axil_awaddr, .s_axil_wvalid,
       .s_axil_wready, .s_axil_wdata, .s_axil_wstrb, .s_axil_bvalid, .s_axil_bready, .s_axil_bresp,
       .s_axil_arvalid, .s_axil_arready, .s_axil_araddr, .s_axil_rvalid, .s_axil_rready,
       .s_axil_rdata, .s_axil_rresp, .limit_vertices_o(limit_vertices), .limit_quads_o(limit_quads),
-      .busy_i(view_busy), .view_done_i(view_done), .status_i(status), .position_i(position),
-      .sample_o(sample), .cycles_i(cycles), .cycles_high_i(cycles_high), .conflicts_i(conflicts),
-      .counter_address_o(counter_address), .counter_i(counter), .counter_known_i(counter_known)
+      .pipeline_o(pipeline_shown), .busy_i(busy != '0), .view_done_i(view_done),
+      .status_i(status_told), .position_i(position_told), .sample_o(sample),
+      .cycles_i(cycles[32*shown+:32]), .cycles_high_i(cycles_high[32*shown+:32]),
+      .conflicts_i(conflicts[32*shown+:32]), .counter_address_o(counter_address),
+      .counter_i(counter[32*shown+:32]), .counter_known_i(known[shown])
   );
 
-  counters #(
-      .STAGES(STAGES)
-  ) u_counters (
-      .clk_i, .rst_i, .busy_i(busy), .starved_i(starved), .blocked_i(blocked), .in_i(items_in),
-      .out_i(items_out), .conflict_i(conflict), .sample_i(sample), .cycles_o(cycles),
-      .cycles_high_o(cycles_high), .conflicts_o(conflicts), .address_i(counter_address),
-      .data_o(counter), .known_o(counter_known)
+  // --- Pipelines -----------------------------------------------------------------------------------
+  logic [VIEWS-1:0] in_valid, in_ready, out_valid, out_ready, out_last;
+  logic [DATA*VIEWS-1:0] out_data;
+  logic [KEEP*VIEWS-1:0] out_keep;
+  logic [16*VIEWS-1:0] out_id;
+
+  deal #(
+      .VIEWS(VIEWS)
+  ) u_deal (
+      .clk_i, .rst_i, .in_valid_i(s_axis_tvalid), .in_last_i(s_axis_tlast),
+      .in_ready_o(s_axis_tready), .out_valid_o(in_valid), .out_ready_i(in_ready)
   );
 
-  // --- receive, transform, quantize --------------------------------------------------------------
-  logic kick_receive, receive_done, vertices_done, receive_in, receive_out;
-  logic raw_valid, clip_valid, transform_busy, overflow;
-  logic [VW-1:0] raw_index, clip_index;
-  logic [127:0] raw, clip;
-  logic [1:0] overflow_row;
-  logic [30:0] magnitude;
-  logic kick_quantize, quantize_done, quantize_in, quantize_out, quantize_rd, quantize_wr;
-  logic [VW-1:0] quantize_rd_index, quantize_wr_index;
-  logic [127:0] quantize_wr_data, single_position;
-  logic corner_valid, corner_border, corner_boundary, corner_first, corner_last;
-  logic [3:0] corner_sharpness, corner_own;
-  logic [QW-1:0] corner_index, corner_twin;
-  logic [VW-1:0] corner_origin;
-  logic [7:0] corner_forced;
-
-  /* verilator lint_off PINCONNECTEMPTY */
-  receive #(
-      .VERTICES(VERTICES), .QUADS(QUADS), .PORT_RECORDS(PORT_RECORDS)
-  ) u_receive (
-      .clk_i, .rst_i, .s_axis_tvalid, .s_axis_tready, .s_axis_tdata, .s_axis_tkeep, .s_axis_tlast,
-      .s_axis_tid, .start_i(kick_receive), .limit_vertices_i(limit_vertices[VW:0]),
-      .limit_quads_i(limit_quads[QW:0]), .done_o(receive_done), .vertices_done_o(vertices_done),
-      .status_o(receive_status), .position_o(receive_position), .view_o(view),
-      .uniform_o(uniform), .guard_o(guarded), .front_depth_o(front_depth),
-      .silhouette_depth_o(silhouette_depth), .uniform_depth_o(uniform_depth),
-      .vertices_o(vertices_in), .faces_o(faces_in), .halfedges_o(halfedges_in), .matrix_o(matrix),
-      .limit_o(limit), .kept_o(kept), .corners_stay_o(corners_stay), .min_edge_o(min_edge),
-      .width_o(width), .height_o(height), .boundary_count_o(boundary_in),
-      .corner_boundary_o(corner_boundary), .corner_sharpness_o(corner_sharpness),
-      .corner_own_o(corner_own), .forced_max_o(forced_max), .closed_o(closed), .vertex_valid_o(raw_valid),
-      .vertex_index_o(raw_index), .vertex_record_o(raw), .transform_busy_i(transform_busy),
-      .overflow_i(overflow), .overflow_index_i(clip_index), .overflow_row_i(overflow_row),
-      .corner_valid_o(corner_valid), .corner_index_o(corner_index),
-      .corner_origin_o(corner_origin), .corner_twin_o(corner_twin),
-      .corner_border_o(corner_border), .corner_forced_o(corner_forced),
-      .corner_first_o(corner_first), .corner_last_o(corner_last),
-      .corner_face_o(),  // faces are counted again where they are read
-      .busy_o(busy[hs_pkg::STAGE_receive]), .starved_o(starved[hs_pkg::STAGE_receive]),
-      .blocked_o(blocked[hs_pkg::STAGE_receive]), .item_in_o(receive_in), .item_out_o(receive_out)
-  );
-  /* verilator lint_on PINCONNECTEMPTY */
-
-  transform #(
-      .VW(VW)
-  ) u_transform (
-      .clk_i, .rst_i, .clear_i(kick_receive), .valid_i(raw_valid), .index_i(raw_index),
-      .record_i(raw), .matrix_i(matrix), .valid_o(clip_valid), .index_o(clip_index), .clip_o(clip),
-      .overflow_o(overflow), .overflow_row_o(overflow_row), .magnitude_o(magnitude),
-      .busy_o(transform_busy)
-  );
-
-  assign busy[hs_pkg::STAGE_transform] = raw_valid;
-  assign starved[hs_pkg::STAGE_transform] = transform_busy && !raw_valid;
-  assign blocked[hs_pkg::STAGE_transform] = 1'b0;
-
-  quantize #(
-      .VW(VW)
-  ) u_quantize (
-      .clk_i, .rst_i, .start_i(kick_quantize), .count_i(vertices_in), .magnitude_i(magnitude),
-      .exponent_o(exponent), .done_o(quantize_done), .rd_en_o(quantize_rd),
-      .rd_index_o(quantize_rd_index), .rd_data_i(single_position), .wr_en_o(quantize_wr),
-      .wr_index_o(quantize_wr_index), .wr_data_o(quantize_wr_data),
-      .busy_o(busy[hs_pkg::STAGE_quantize]), .starved_o(starved[hs_pkg::STAGE_quantize]),
-      .blocked_o(blocked[hs_pkg::STAGE_quantize]), .item_in_o(quantize_in),
-      .item_out_o(quantize_out)
-  );
-
-  // --- The generations ---------------------------------------------------------------------------
-  logic kick_classify, kick_check, kick_select, kick_guard, kick_smooth, kick_split;
-  logic classify_active, check_active, select_active, guard_active, smooth_active;
-  logic split_active, check_error, check_sharpness, send_at_level, valence_error, send_valid, send_ready, split_op;
-  logic split_ready, split_first, split_last;
-  logic [QW-1:0] check_corner, valence_corner;
-  logic [QW:0] selected_count, refined_count, children;
-  logic [QW+2:0] refined_sides;
-  logic [VW-1:0] send_vertex;
-  logic group_valid, group_ready;
-  logic [4*VW-1:0] group_vertex;
-  logic [511:0] group_position;
-  logic [383:0] op_vertex;
-  logic [127:0] send_position, split_op_position;
-  logic [2:0] split_kind;
-  logic [23:0] split_number;
-  logic [3:0] split_mask, split_triangle, split_child, split_candidate;
-  logic [383:0] split_op_vertex;
-  logic [7:0] split_sides;
-  logic [4:0] refine_in;
-  logic [9:0] refine_out;
-
-  refine #(
-      .VW(VW), .QW(QW), .BANK_BITS(BANK_BITS),
-      .WINDOW_BITS(WINDOW_BITS), .LANES(LANES), .READ_LATENCY(READ_LATENCY), .OPS(OPS)
-  ) u_refine (
-      .clk_i, .rst_i, .generation_i(generation), .odd_i(odd), .quads_i(quads), .side_i(side),
-      .all_i(all), .last_step_i(last_step), .finish_i(finish), .pass_i(pass), .edge_i(edge_points),
-      .marked_i(marked), .items_i(items),
-      .vertices_i(vertices), .new_vertices_i(new_vertices), .uniform_i(uniform),
-      .guarded_i(guarded), .limit_i(limit), .corners_stay_i(corners_stay),
-      .front_depth_i(front_depth), .silhouette_depth_i(silhouette_depth), .min_edge_i(min_edge),
-      .width_i(width), .height_i(height), .check_sharpness_o(check_sharpness),
-      .raw_valid_i(raw_valid), .raw_index_i(raw_index), .corner_boundary_i(corner_boundary),
-      .corner_sharpness_i(corner_sharpness), .corner_own_i(corner_own),
-      .send_at_level_o(send_at_level), .kick_classify_i(kick_classify), .kick_check_i(kick_check), .kick_select_i(kick_select),
-      .kick_guard_i(kick_guard), .kick_smooth_i(kick_smooth), .kick_split_i(kick_split),
-      .classify_active_o(classify_active), .check_active_o(check_active),
-      .select_active_o(select_active), .guard_active_o(guard_active),
-      .smooth_active_o(smooth_active), .split_active_o(split_active), .check_error_o(check_error),
-      .check_corner_o(check_corner), .valence_error_o(valence_error),
-      .valence_corner_o(valence_corner), .selected_count_o(selected_count),
-      .refined_count_o(refined_count), .refined_sides_o(refined_sides), .children_o(children),
-      .clip_valid_i(clip_valid), .clip_index_i(clip_index), .clip_i(clip),
-      .quantize_rd_i(quantize_rd), .quantize_rd_index_i(quantize_rd_index),
-      .single_position_o(single_position), .quantize_wr_i(quantize_wr),
-      .quantize_wr_index_i(quantize_wr_index), .quantize_wr_data_i(quantize_wr_data),
-      .corner_valid_i(corner_valid), .corner_index_i(corner_index), .corner_origin_i(corner_origin),
-      .corner_twin_i(corner_twin), .corner_border_i(corner_border), .corner_forced_i(corner_forced),
-      .corner_first_i(corner_first), .corner_last_i(corner_last), .send_valid_o(send_valid),
-      .group_valid_o(group_valid), .group_ready_i(group_ready), .group_vertex_o(group_vertex),
-      .group_position_o(group_position),
-      .send_ready_i(send_ready), .send_vertex_o(send_vertex), .send_position_o(send_position),
-      .split_op_o(split_op), .split_ready_i(split_ready), .split_kind_o(split_kind),
-      .split_number_o(split_number), .split_op_position_o(split_op_position),
-      .split_mask_o(split_mask), .split_triangle_o(split_triangle), .split_child_o(split_child),
-      .split_candidate_o(split_candidate), .split_op_vertex_o(split_op_vertex),
-      .split_sides_o(split_sides), .split_first_o(split_first), .split_last_o(split_last),
-      .busy_o(busy[hs_pkg::STAGE_classify+:5]), .starved_o(starved[hs_pkg::STAGE_classify+:5]),
-      .blocked_o(blocked[hs_pkg::STAGE_classify+:5]), .item_in_o(refine_in),
-      .item_out_o(refine_out), .conflict_o(conflict)
-  );
-
-  // --- emit: the sequencer, smooth and split send in turn ----------------------------------------
-  logic control_op, control_trailer, op_valid, op_ready, emit_done;
-  logic [7:0] control_generation;
-  logic [2:0] op_kind;
-
-  assign op_valid = control_op || group_valid || send_valid || split_op;
-  assign op_kind = control_op ? (control_trailer ? 3'(hs_pkg::OP_TRAILER) : 3'(hs_pkg::OP_HEADER)) :
-      group_valid ? 3'(hs_pkg::OP_GROUP) : send_valid ? 3'(hs_pkg::OP_VERTEX) : split_kind;
-  assign group_ready = op_ready && !control_op;
-  assign send_ready = op_ready && !control_op && !group_valid;
-  assign split_ready = op_ready && !control_op && !group_valid && !send_valid;
-
-  always_comb begin
-    op_vertex = split_op_vertex;
-    if (group_valid)
-      for (int i = 1; i < 4; i++) op_vertex[24*(i-1)+:24] = 24'(group_vertex[i*VW+:VW]);
+  for (genvar p = 0; p < VIEWS; p++) begin : g_pipeline
+    pipeline #(
+        .VERTICES(VERTICES), .QUADS(QUADS), .PORT_RECORDS(PORT_RECORDS), .BANK_BITS(BANK_BITS),
+        .WINDOW_BITS(WINDOW_BITS), .LANES(LANES), .READ_LATENCY(READ_LATENCY), .OPS(OPS)
+    ) u_pipeline (
+        .clk_i, .rst_i, .s_axis_tvalid(in_valid[p]), .s_axis_tready(in_ready[p]), .s_axis_tdata,
+        .s_axis_tkeep, .s_axis_tlast, .s_axis_tid, .m_axis_tvalid(out_valid[p]),
+        .m_axis_tready(out_ready[p]), .m_axis_tdata(out_data[DATA*p+:DATA]),
+        .m_axis_tkeep(out_keep[KEEP*p+:KEEP]), .m_axis_tlast(out_last[p]),
+        .m_axis_tid(out_id[16*p+:16]), .limit_vertices_i(limit_vertices[VW:0]),
+        .limit_quads_i(limit_quads[QW:0]), .busy_o(busy[p]), .view_done_o(done[p]),
+        .status_o(status[8*p+:8]), .position_o(position[32*p+:32]), .sample_i(sample),
+        .cycles_o(cycles[32*p+:32]), .cycles_high_o(cycles_high[32*p+:32]),
+        .conflicts_o(conflicts[32*p+:32]), .counter_address_i(counter_address),
+        .counter_o(counter[32*p+:32]), .counter_known_o(known[p])
+    );
   end
 
-  emit #(
-      .PORT_RECORDS(PORT_RECORDS)
-  ) u_emit (
-      .clk_i, .rst_i, .op_valid_i(op_valid), .op_ready_o(op_ready), .op_kind_i(op_kind),
-      .op_generation_i(control_op ? control_generation : generation),
-      .op_number_i(group_valid ? 24'(group_vertex[VW-1:0]) : send_valid ? 24'(send_vertex) : split_number),
-      .op_position_i(group_valid ? group_position[127:0] : send_valid ? send_position : split_op_position),
-      .op_group_i(group_position[511:128]),
-      .op_at_level_i(send_valid ? send_at_level : limit && !group_valid), .op_mask_i(split_mask),
-      .op_triangle_i(split_triangle), .op_child_i(split_child), .op_candidate_i(split_candidate),
-      .op_vertex_i(op_vertex), .op_sides_i(split_sides), .op_first_i(split_first),
-      .op_last_i(split_last), .view_i(view), .exponent_i(refused ? 10'sd0 : exponent),
-      .status_i(status), .position_i(position), .done_o(emit_done), .m_axis_tvalid, .m_axis_tready,
-      .m_axis_tdata, .m_axis_tkeep, .m_axis_tlast, .m_axis_tid, .busy_o(busy[hs_pkg::STAGE_emit]),
-      .starved_o(starved[hs_pkg::STAGE_emit]), .blocked_o(blocked[hs_pkg::STAGE_emit]),
-      .items_in_o(items_in[3*hs_pkg::STAGE_emit+:3]),
-      .items_out_o(items_out[3*hs_pkg::STAGE_emit+:3])
-  );
+  logic [(DATA+KEEP+17)*VIEWS-1:0] collected;
 
-  // --- The sequencer -----------------------------------------------------------------------------
-  sequencer #(
-      .VW(VW), .QW(QW)
-  ) u_sequencer (
-      .clk_i, .rst_i, .limit_vertices_i(limit_vertices[VW:0]), .limit_quads_i(limit_quads[QW:0]),
-      .view_done_o(view_done), .busy_o(view_busy), .status_o(status), .position_o(position),
-      .kick_receive_o(kick_receive), .receive_item_i(receive_in), .receive_done_i(receive_done),
-      .vertices_done_i(vertices_done), .transform_busy_i(transform_busy),
-      .kick_quantize_o(kick_quantize), .quantize_done_i(quantize_done),
-      .receive_status_i(receive_status), .receive_position_i(receive_position), .uniform_i(uniform),
-      .front_depth_i(front_depth), .silhouette_depth_i(silhouette_depth),
-      .uniform_depth_i(uniform_depth), .forced_max_i(forced_max), .closed_i(closed),
-      .limit_i(limit), .kept_i(kept), .boundary_i(boundary_in),
-      .check_sharpness_i(check_sharpness), .vertices_i(vertices_in), .faces_i(faces_in), .halfedges_i(halfedges_in),
-      .kick_check_o(kick_check), .kick_classify_o(kick_classify),
-      .classify_active_i(classify_active), .check_active_i(check_active),
-      .check_error_i(check_error), .check_corner_i(check_corner), .valence_error_i(valence_error),
-      .valence_corner_i(valence_corner), .kick_select_o(kick_select),
-      .select_active_i(select_active), .selected_i(selected_count), .kick_guard_o(kick_guard),
-      .guard_active_i(guard_active), .refined_i(refined_count), .sides_i(refined_sides),
-      .kick_smooth_o(kick_smooth), .smooth_active_i(smooth_active), .kick_split_o(kick_split),
-      .split_active_i(split_active), .children_i(children), .op_valid_o(control_op),
-      .op_ready_i(op_ready), .op_trailer_o(control_trailer), .op_generation_o(control_generation),
-      .emit_done_i(emit_done), .generation_o(generation), .odd_o(odd), .quads_o(quads),
-      .side_o(side), .items_o(items), .vertices_o(vertices), .new_o(new_vertices), .pass_o(pass), .edge_o(edge_points),
-      .marked_o(marked), .all_o(all),
-      .last_o(last_step), .finish_o(finish), .refused_o(refused)
-  );
-
-  // --- Counters ----------------------------------------------------------------------------------
-  assign items_in[3*hs_pkg::STAGE_receive+:3] = 3'(receive_in);
-  assign items_out[3*hs_pkg::STAGE_receive+:3] = 3'(receive_out);
-  assign items_in[3*hs_pkg::STAGE_transform+:3] = 3'(raw_valid);
-  assign items_out[3*hs_pkg::STAGE_transform+:3] = 3'(clip_valid);
-  assign items_in[3*hs_pkg::STAGE_quantize+:3] = 3'(quantize_in);
-  assign items_out[3*hs_pkg::STAGE_quantize+:3] = 3'(quantize_out);
-
-  for (genvar s = 0; s < 5; s++) begin : g_refine_items
-    assign items_in[3*(hs_pkg::STAGE_classify+s)+:3] = 3'(refine_in[s]);
-    assign items_out[3*(hs_pkg::STAGE_classify+s)+:3] = 3'(refine_out[2*s+:2]);
+  for (genvar p = 0; p < VIEWS; p++) begin : g_beat
+    assign collected[(DATA+KEEP+17)*p+:DATA+KEEP+17] = {
+      out_id[16*p+:16], out_last[p], out_keep[KEEP*p+:KEEP], out_data[DATA*p+:DATA]
+    };
   end
+
+  collect #(
+      .VIEWS(VIEWS), .WIDTH(DATA + KEEP + 17)
+  ) u_collect (
+      .clk_i, .rst_i, .in_valid_i(out_valid), .in_ready_o(out_ready), .in_data_i(collected),
+      .out_valid_o(m_axis_tvalid), .out_ready_i(m_axis_tready),
+      .out_data_o({m_axis_tid, m_axis_tlast, m_axis_tkeep, m_axis_tdata})
+  );
 
 endmodule

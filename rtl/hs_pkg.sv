@@ -187,8 +187,10 @@ package hs_pkg;
   localparam logic [11:0] REG_CYCLES_HIGH = 12'h02c;
   // cycles in which a request waited for a memory bank
   localparam logic [11:0] REG_CONFLICTS = 12'h030;
-  // parameters, 4 bits each from bit 0 up: log2 of the records in a beat, log2 of banks, log2 of a window's items, log2 of lanes, read latency, log2 of ops that wait for emit
+  // parameters, 4 bits each from bit 0 up: log2 of the records in a beat, log2 of banks, log2 of a window's items, log2 of lanes, read latency, log2 of ops that wait for emit, views in flight
   localparam logic [11:0] REG_ARCHITECTURE = 12'h034;
+  // whose counters are read, from 0: each view in flight has a pipeline of its own
+  localparam logic [11:0] REG_PIPELINE = 12'h038;
   // counters, 32 bytes a stage: busy, starved, blocked, idle, in, out
   localparam logic [11:0] REG_STAGES = 12'h100;
 

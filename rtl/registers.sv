@@ -9,6 +9,8 @@
 //   * LIMIT_VERTICES and LIMIT_QUADS hold the capacity after reset; a larger value that is written
 //     to them is cut down to it. Bytes whose strobe is low keep their value. Write them between
 //     views: they apply at once.
+//   * PIPELINE says whose counters are read, CYCLES and CONFLICTS among them: 0 to VIEWS - 1; what is
+//     above is as 0.
 //   * STATUS, POSITION and VIEWS change with view_done_i.
 //   * Reading CYCLES samples the cycle count: CYCLES_HIGH and the idle counters refer to the latest
 //     such reading (see counters.sv).
@@ -47,6 +49,7 @@ module registers #(
     // To the pipeline.
     output logic [24:0] limit_vertices_o,
     output logic [24:0] limit_quads_o,
+    output logic [ 3:0] pipeline_o,  // whose counters are read
 
     // From the view's control.
     input logic        busy_i,       // from the first word of a view to its last beat
@@ -94,11 +97,12 @@ module registers #(
 
   // --- Writing: address and data are taken together ----------------------------------------------
   logic [31:0] strobes, old_limit, new_limit;
-  logic to_vertices, to_quads, write;
+  logic to_vertices, to_quads, to_pipeline, write;
 
   assign s_axil_wready = s_axil_awready;
   assign write = s_axil_awready;  // both are valid then, and stay so
   assign to_vertices = s_axil_awaddr == hs_pkg::REG_LIMIT_VERTICES;
+  assign to_pipeline = s_axil_awaddr == hs_pkg::REG_PIPELINE;
   assign to_quads = s_axil_awaddr == hs_pkg::REG_LIMIT_QUADS;
   assign strobes = {{8{s_axil_wstrb[3]}}, {8{s_axil_wstrb[2]}}, {8{s_axil_wstrb[1]}},
                     {8{s_axil_wstrb[0]}}};
@@ -110,14 +114,16 @@ module registers #(
     if (s_axil_bready) s_axil_bvalid <= 1'b0;
     if (write) begin
       s_axil_bvalid <= 1'b1;
-      s_axil_bresp  <= to_vertices || to_quads ? OKAY : SLVERR;
+      s_axil_bresp  <= to_vertices || to_quads || to_pipeline ? OKAY : SLVERR;
     end
     if (write && to_vertices)
       limit_vertices_o <=
           new_limit > {7'd0, CAPACITY_VERTICES} ? CAPACITY_VERTICES : new_limit[24:0];
     if (write && to_quads)
       limit_quads_o <= new_limit > {7'd0, CAPACITY_QUADS} ? CAPACITY_QUADS : new_limit[24:0];
+    if (write && to_pipeline && s_axil_wstrb[0]) pipeline_o <= s_axil_wdata[3:0];
     if (rst_i) begin
+      pipeline_o <= 4'd0;
       s_axil_awready <= 1'b0;
       s_axil_bvalid <= 1'b0;
       limit_vertices_o <= CAPACITY_VERTICES;
@@ -152,6 +158,7 @@ module registers #(
       hs_pkg::REG_CYCLES: data = cycles_i;
       hs_pkg::REG_CYCLES_HIGH: data = cycles_high_i;
       hs_pkg::REG_CONFLICTS: data = conflicts_i;
+      hs_pkg::REG_PIPELINE: data = {28'd0, pipeline_o};
       hs_pkg::REG_ARCHITECTURE: data = ARCHITECTURE;
       default: begin
         known = of_counters && counter_known_i;

@@ -8,7 +8,7 @@
 package probes;
   // Whether anyone looks: asked first, since what a probe shows costs time.
   import "DPI-C" function bit hs_probe_on();
-  import "DPI-C" function void hs_probe(
+  import "DPI-C" context function void hs_probe(
     input int unsigned probe,
     input int unsigned item,
     input int unsigned a,
@@ -19,7 +19,7 @@ package probes;
 endpackage
 
 // The streams, and what lies before the first generation.
-module probe_halfstep #(
+module probe_pipeline #(
     parameter int unsigned VW = 19,
     parameter int unsigned QW = 19,
     parameter int unsigned PORT_RECORDS = 4
@@ -105,7 +105,7 @@ module probe_halfstep #(
   end
 endmodule
 
-bind halfstep probe_halfstep #(
+bind pipeline probe_pipeline #(
     .VW(VW), .QW(QW), .PORT_RECORDS(PORT_RECORDS)
 ) u_probe (
     .clk_i, .rst_i, .in_taken(s_axis_tvalid && s_axis_tready), .in_keep(s_axis_tkeep), .raw_valid,

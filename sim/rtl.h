@@ -8,6 +8,7 @@
 
 #include "cycles.h"
 #include "golden.h"
+#include "model.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -28,6 +29,14 @@ bool hs_rtl_trace(hs_rtl *rtl, const char *path, uint64_t first, uint64_t last, 
  * derived from the packet. */
 bool hs_rtl_run(hs_rtl *rtl, const hs_packet *in, hs_stalls stalls, hs_packet *out,
                 hs_cycle_report *report, hs_error *err);
+
+/* Streams `count` packets in, one behind the other, and all answers out, which may interleave if
+ * several views are in flight: out[i] is in[i]'s. Their views' numbers must differ in their low 16
+ * bits. view[i], *cycles: as hs_flight_run's. The pipeline is at rest before. False as hs_rtl_run;
+ * counters are not looked at. Logs go to the array of hs_rtl_logs, a log a pipeline. */
+bool hs_rtl_stream(hs_rtl *rtl, const hs_packet *in, uint32_t count, hs_stalls stalls,
+                   hs_packet *out, hs_flight_view *view, uint64_t *cycles, hs_error *err);
+void hs_rtl_logs(hs_rtl *rtl, hs_log *logs);
 
 /* Has later runs write all their transactions to *log, which each clears first; NULL: none. */
 void hs_rtl_log(hs_rtl *rtl, hs_log *log);

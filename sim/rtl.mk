@@ -11,7 +11,7 @@ VERILATE := verilator --cc --build --build-jobs 2 -O3 -Wall --assert --x-initial
 VERILATED_FLAGS = $(CXXFLAGS) -isystem $(VERILATOR_INCLUDE) -isystem $(VERILATOR_INCLUDE)/vltstd
 
 # What every Verilated model is linked with.
-RUNTIME := $(addprefix $(BUILD)/verilated/,verilated.o verilated_threads.o verilated_fst_c.o)
+RUNTIME := $(addprefix $(BUILD)/verilated/,verilated.o verilated_threads.o verilated_fst_c.o verilated_dpi.o)
 $(RUNTIME): $(BUILD)/verilated/%.o:
 	@mkdir -p $(@D)
 	$(CXX) -std=c++17 -O2 -DVM_TRACE=1 -DVM_TRACE_FST=1 -I$(VERILATOR_INCLUDE) -I$(VERILATOR_INCLUDE)/vltstd \
@@ -44,18 +44,19 @@ narrow   := -GPORT_RECORDS=2 -GBANK_BITS=2 -GWINDOW_BITS=2
 few      := -GLANES=4 -GWINDOW_BITS=4
 slow     := -GREAD_LATENCY=4 -GWINDOW_BITS=4
 wide     := -GBANK_BITS=4 -GLANES=16 -GOPS=64
+flight   := -GVIEWS=3
 largest  := -GBANK_BITS=4 -GWINDOW_BITS=5 -GLANES=16 -GREAD_LATENCY=8 -GOPS=256
 
-$(ARCHITECTURES:%=$(BUILD)/verilated/%/log): $(BUILD)/verilated/%/log: rtl/files.f $(wildcard rtl/*.sv) sim/probes.sv sim/rtl.mk
+$(patsubst %,$(BUILD)/verilated/%/log,$(ARCHITECTURES) flight): $(BUILD)/verilated/%/log: rtl/files.f $(wildcard rtl/*.sv) sim/probes.sv sim/rtl.mk
 	@mkdir -p $(@D)
 	$(VERILATE) $($*) --trace-fst --output-split 20000 --Mdir $(@D) --prefix Vhalfstep --top-module halfstep \
 	    -f rtl/files.f sim/probes.sv >$@.part 2>&1 || { cat $@.part; exit 1; }
 	@mv $@.part $@
 
-$(ARCHITECTURES:%=$(BUILD)/verilated/%/rtl_shim.o): $(BUILD)/verilated/%/rtl_shim.o: sim/rtl_shim.cpp $(BUILD)/verilated/%/log
+$(patsubst %,$(BUILD)/verilated/%/rtl_shim.o,$(ARCHITECTURES) flight): $(BUILD)/verilated/%/rtl_shim.o: sim/rtl_shim.cpp $(BUILD)/verilated/%/log
 	$(CXX) $(VERILATED_FLAGS) -isystem $(@D) -c $< -o $@
 
-$(ARCHITECTURES:%=$(BUILD)/librtl-%.a): $(BUILD)/librtl-%.a: $(BUILD)/verilated/%/rtl_shim.o $(RUNTIME)
+$(patsubst %,$(BUILD)/librtl-%.a,$(ARCHITECTURES) flight): $(BUILD)/librtl-%.a: $(BUILD)/verilated/%/rtl_shim.o $(RUNTIME)
 	rm -f $@ && cp $(BUILD)/verilated/$*/Vhalfstep__ALL.a $@ && ar rs $@ $^
 
 # The campaign, for each architecture and for the default one.
@@ -63,6 +64,11 @@ $(BUILD)/parity: $(BUILD)/tests/parity.o $(RTL_LIBS)
 	$(LINK_RTL) -lcmocka
 $(ARCHITECTURES:%=$(BUILD)/parity-%): $(BUILD)/parity-%: $(BUILD)/tests/parity.o $(BUILD)/libsim.a \
     $(BUILD)/librtl-%.a $(BUILD)/libhalfstep.a
+	$(CXX) $^ -o $@ $(LIBS) -pthread -lcmocka
+
+# Views in flight.
+$(BUILD)/parity-flight: $(BUILD)/tests/parity_flight.o $(BUILD)/libsim.a $(BUILD)/librtl-flight.a \
+    $(BUILD)/libhalfstep.a
 	$(CXX) $^ -o $@ $(LIBS) -pthread -lcmocka
 
 # Bounded, in `make test`: the test of the model once more, on the smallest architecture.
@@ -73,7 +79,7 @@ $(BUILD)/test_smallest: $(BUILD)/tests/test_rtl_model.o $(BUILD)/libsim.a $(BUIL
 # Per cent of the campaign.
 PARITY := 100
 .PHONY: parity
-parity: $(BUILD)/parity $(ARCHITECTURES:%=$(BUILD)/parity-%) ## the model against the RTL in full, in seven architectures
+parity: $(BUILD)/parity $(patsubst %,$(BUILD)/parity-%,$(ARCHITECTURES) flight) ## the model against the RTL in full, in eight architectures
 	@tests/parity_run $(PARITY) $^
 
 LINK_RTL  = $(CXX) $< $(RTL_LIBS) -o $@ $(LIBS) -pthread

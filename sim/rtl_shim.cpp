@@ -15,6 +15,7 @@
 
 #include "Vhalfstep.h"
 #include "rtl.h"
+#include "svdpi.h"
 #include "verilated.h"
 #include "verilated_fst_c.h"
 
@@ -62,11 +63,27 @@ struct hs_rtl {
     std::vector<uint32_t> beat_cycle; /* of the last run: when each beat was taken */
     bool broken = false;              /* the last run failed: reset before the next */
     hs_log *log = nullptr;
-    uint64_t begin = 0; /* of the last run */
+    hs_log *logs = nullptr; /* of hs_rtl_stream: one a pipeline */
+    uint64_t begin = 0;     /* of the last run */
 };
 
 /* The simulation whose transactions are logged: set while it streams a packet. */
 static thread_local hs_rtl *logging;
+
+/* The number of the pipeline from which a probe calls, by the name of its place: "g_pipeline[1]".
+ */
+static uint32_t calling_pipeline() {
+    static thread_local std::vector<std::pair<svScope, uint32_t>> known;
+    const svScope scope = svGetScope();
+    for (const auto &entry : known)
+        if (entry.first == scope) return entry.second;
+    const char *name = std::strstr(svGetNameFromScope(scope), "g_pipeline");
+    uint32_t number = 0;
+    for (const char *c = name; c && *c && *c != '.' && !number; c++)
+        if (*c >= '0' && *c <= '9') number = static_cast<uint32_t>(*c - '0');
+    known.emplace_back(scope, number);
+    return number;
+}
 
 /* For sim/probes.sv, which calls them at the clock's edge. */
 extern "C" unsigned char hs_probe_on() {
@@ -75,7 +92,8 @@ extern "C" unsigned char hs_probe_on() {
 extern "C" void hs_probe(unsigned probe, unsigned item, unsigned a, unsigned b, unsigned c,
                          unsigned d) {
     const uint32_t word[4] = {a, b, c, d};
-    hs_log_add(logging->log, probe, logging->cycle - logging->begin, item, word);
+    hs_log *log = logging->logs ? &logging->logs[calling_pipeline()] : logging->log;
+    hs_log_add(log, probe, logging->cycle - logging->begin, item, word);
 }
 
 /* --- Cycles -------------------------------------------------------------------------------------
@@ -553,4 +571,89 @@ bool hs_rtl_run(hs_rtl *rtl, const hs_packet *in, hs_stalls stalls, hs_packet *o
     rtl->before = after;
     rtl->broken = false;
     return true;
+}
+
+/* --- Several views in a row ----------------------------------------------------------------------
+ */
+
+/* Which of the packets a beat of the output answers; count: none that has not ended. */
+static uint32_t answered(const Vhalfstep &top, const hs_packet *in, uint32_t count,
+                         const std::vector<bool> &ended) {
+    for (uint32_t i = 0; i < count; i++)
+        if ((in[i].view & 0xffff) == top.m_axis_tid && !ended[i]) return i;
+    return count;
+}
+
+static bool stream_all(hs_rtl *rtl, const hs_packet *in, uint32_t count, hs_stalls stalls,
+                       hs_packet *out, hs_flight_view *view, uint64_t *cycles, hs_error *err) {
+    Vhalfstep &top = *rtl->top;
+    hs_pauses input = hs_pauses_start(stalls.seed, HS_PAUSES_INPUT, stalls.input);
+    hs_pauses output = hs_pauses_start(stalls.seed, HS_PAUSES_OUTPUT, stalls.output);
+    const uint64_t begin = rtl->begin = rtl->cycle;
+    std::vector<bool> ended(count, false);
+    uint64_t most = 0;
+    for (uint32_t i = 0; i < count; i++)
+        most += most_cycles(rtl, &in[i], stalls);
+    uint32_t next = 0, open = count; /* packets: on its way in; not yet answered */
+    size_t at = 0;
+    bool offered = false;
+    while (open) {
+        if (!offered && next < count && !hs_pauses_next(&input)) {
+            offer(top, &in[next], at);
+            offered = true;
+            if (at == 0) view[next].start = rtl->cycle - begin;
+        }
+        top.s_axis_tvalid = offered;
+        top.m_axis_tready = !hs_pauses_next(&output);
+        settle(rtl);
+        if (top.m_axis_tvalid && top.m_axis_tready) {
+            const uint32_t i = answered(top, in, count, ended);
+            if (i == count || i > next)
+                return break_of_rule(rtl, in, "a beat of a view that is not in flight", err);
+            const auto bytes = static_cast<size_t>(__builtin_popcountll(top.m_axis_tkeep));
+            if (!hs_packet_append(&out[i], &top.m_axis_tdata[0], bytes / 16, err)) return false;
+            ended[i] = top.m_axis_tlast;
+            open -= top.m_axis_tlast;
+            view[i].end = rtl->cycle - begin;
+            *cycles = view[i].end - view[0].start + 1;
+        }
+        if (offered && top.s_axis_tready) {
+            offered = false;
+            at += BEAT_WORDS;
+            if (at >= in[next].words) {
+                at = 0;
+                next++;
+            }
+        }
+        if (!step(rtl, err)) return false;
+        if (rtl->cycle - begin > most)
+            return hs_fail(err, HS_EXIT_INTERNAL, "the RTL does not answer %u of %u views", open,
+                           count);
+    }
+    top.s_axis_tvalid = 0;
+    top.m_axis_tready = 0;
+    return true;
+}
+
+bool hs_rtl_stream(hs_rtl *rtl, const hs_packet *in, uint32_t count, hs_stalls stalls,
+                   hs_packet *out, hs_flight_view *view, uint64_t *cycles, hs_error *err) {
+    enter(rtl);
+    for (uint32_t i = 0; i < count; i++) {
+        out[i].view = in[i].view;
+        out[i].words = 0;
+    }
+    *cycles = 0;
+    if (rtl->broken && !reset(rtl, err)) return false;
+    rtl->broken = true;
+    logging = rtl->logs ? rtl : nullptr;
+    const bool good = stream_all(rtl, in, count, stalls, out, view, cycles, err);
+    logging = nullptr;
+    if (!good || (count && !rest(rtl, in, err)) || !take_snapshot(rtl, &rtl->before, err))
+        return false;
+    rtl->broken = false;
+    return true;
+}
+
+void hs_rtl_logs(hs_rtl *rtl, hs_log *logs) {
+    rtl->logs = logs;
 }

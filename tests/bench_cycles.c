@@ -94,7 +94,7 @@ static void compare_speeds(void) {
     bench *b = new_bench(HS_DEFAULT_LIMITS, 1);
     hs_rtl_log(b->rtl, NULL);
     speed all = {0};
-    printf("Simulation, one thread, millions of cycles per second; views per second\n\n"
+    printf("\nSimulation, one thread, millions of cycles per second; views per second\n\n"
            "                       views  M cycles      rtl    model  ratio   model/s  golden/s\n");
     for (uint32_t i = 0; i < sizeof work / sizeof *work; i++) {
         hs_settings s = adaptive(4, 8, true);
@@ -107,6 +107,81 @@ static void compare_speeds(void) {
     }
     print_speed("all", &all);
     free_bench(b);
+}
+
+/* --- Views in flight ----------------------------------------------------------------------------
+ */
+enum { ROW = 48 };
+
+/* Cycles per output face of a row of views; the first quarter fills the pipelines and is left out.
+ */
+static double row_of(uint32_t in_flight, const hs_packet *in) {
+    static hs_packet out[ROW];
+    hs_golden_report report[ROW];
+    hs_flight_view view[ROW];
+    hs_model_config config = HS_DEFAULT_CONFIG;
+    hs_error err;
+    uint64_t cycles, from = 0, to = 0, faces = 0;
+    config.views = in_flight;
+    hs_flight *flight = hs_flight_new(HS_DEFAULT_LIMITS, config, &err);
+    quit_on(flight != NULL, &err);
+    quit_on(hs_flight_run(flight, in, ROW, no_stalls, out, report, view, &cycles, NULL, &err),
+            &err);
+    for (uint32_t v = 0; v < ROW; v++) {
+        if (v < ROW / 4 && view[v].end > from) from = view[v].end;
+        if (v < 3 * ROW / 4 && view[v].end > to) to = view[v].end;
+    }
+    for (uint32_t v = 0; v < ROW; v++)
+        if (view[v].end > from && view[v].end <= to) faces += report[v].faces;
+    hs_flight_free(flight);
+    return (double)(to - from) / (double)faces;
+}
+
+static void compare_rows(void) {
+    static const struct {
+        const char *mesh;
+        uint8_t uniform;
+    } work[] = {{"shape:hand", 0},
+                {"shape:monster", 0},
+                {"../shared/meshes/bob_cc1_1336.obj", 0},
+                {"shape:torus:52", 6},
+                {"shape:torus:52", 7}};
+    static hs_packet in[ROW];
+    printf(
+        "\nViews in a row, by the model: cycles per output face in steady state, with so many in "
+        "flight\n\n%-34s %-10s",
+        "", "");
+    for (uint32_t n = 1; n <= 5; n++)
+        printf(" %5u", n);
+    printf("\n");
+    for (uint32_t i = 0; i < sizeof work / sizeof *work; i++) {
+        hs_mesh mesh;
+        hs_views views;
+        hs_error err;
+        hs_settings s = work[i].uniform ? uniform(work[i].uniform) : adaptive(4, 8, true);
+        s.boundary = HS_BOUNDARY_SMOOTH;
+        if (!hs_mesh_open(&mesh, work[i].mesh, true, true, &err)) continue;
+        quit_on(hs_views_orbit(&views, ROW, &mesh, 1, &err), &err);
+        for (uint32_t v = 0; v < ROW; v++)
+            quit_on(hs_packet_encode(&in[v], v, &mesh, views.view[v].matrix, &s, &err), &err);
+        char how[20] = "4/8";
+        if (work[i].uniform) snprintf(how, sizeof how, "uniform %u", work[i].uniform);
+        printf("%-34s %-10s", work[i].mesh, how);
+        for (uint32_t n = 1; n <= 5; n++) {
+            printf(" %5.2f", row_of(n, in));
+            fflush(stdout);
+        }
+        printf("\n");
+        hs_views_free(&views);
+        hs_mesh_free(&mesh);
+    }
+    printf("%-45s", "memory, Mbit");
+    for (uint32_t n = 1; n <= 5; n++) {
+        hs_model_config config = HS_DEFAULT_CONFIG;
+        config.views = n;
+        printf(" %5.0f", (double)hs_model_memory_bits(&config) / 1e6);
+    }
+    printf("\n");
 }
 
 /* --- Scaling ------------------------------------------------------------------------------------
@@ -209,6 +284,7 @@ static void compare_sizes(void) {
 }
 
 int main(void) {
+    compare_rows();
     compare_speeds();
     compare_sizes();
     return HS_EXIT_OK;

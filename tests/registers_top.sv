@@ -50,6 +50,7 @@ module registers_top #(
       .VERTICES(VERTICES),
       .QUADS(QUADS)
   ) registers (
+      .pipeline_o       (),  // there is one
       .sample_o         (sample),
       .cycles_i         (cycles),
       .cycles_high_i    (cycles_high),

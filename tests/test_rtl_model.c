@@ -65,6 +65,62 @@ static void large_faces_and_valences_are_modelled(void **state) {
     print_total(b);
 }
 
+/* One behind the other, so that the pipeline is not at rest when a packet comes; the last one is
+ * refused. On an architecture of one pipeline. */
+static void views_in_a_row_are_modelled(void **state) {
+    bench *b = *state;
+    enum { ROW = 7 };
+    const hs_model_config config = hs_model_config_decode(hs_rtl_architecture(b->rtl));
+    static hs_packet in[ROW], rtl_out[ROW], model_out[ROW];
+    static hs_log rtl_log, model_log;
+    hs_golden_report report[ROW];
+    hs_flight_view rtl_view[ROW], model_view[ROW];
+    hs_error err = {0};
+    hs_flight *flight = hs_flight_new(HS_DEFAULT_LIMITS, config, &err);
+    assert_non_null(flight);
+    hs_rtl_logs(b->rtl, &rtl_log);
+    for (uint32_t seed = 0; seed < 6; seed++) {
+        uint64_t rtl_cycles, model_cycles;
+        const hs_stalls stalls = {
+            .seed = seed, .input = (uint8_t)(seed % 3 * 30), .output = (uint8_t)(seed % 2 * 60)};
+        for (uint32_t i = 0; i < ROW; i++) {
+            static const char *const name[] = {"cube", "torus", "mixed"};
+            hs_mesh mesh;
+            hs_view view[VIEWS];
+            const hs_settings s = i % 3 == 1 ? uniform((uint8_t)seed) : adaptive(2, 4, true);
+            make_shape(&mesh, name[(i + seed) % 3], 0, 0);
+            make_views(&mesh, view);
+            assert_true(hs_packet_encode(&in[i], i, &mesh, view[i].matrix, &s, &err));
+            hs_mesh_free(&mesh);
+        }
+        in[ROW - 1].word[0] ^= 1;
+        hs_log_clear(&rtl_log);
+        assert_true(hs_rtl_stream(b->rtl, in, ROW, stalls, rtl_out, rtl_view, &rtl_cycles, &err));
+        assert_true(hs_flight_run(flight, in, ROW, stalls, model_out, report, model_view,
+                                  &model_cycles, &model_log, &err));
+        assert_int_equal(report[ROW - 1].status, HS_STATUS_BAD_MAGIC);
+        assert_int_equal(rtl_cycles, model_cycles);
+        for (uint32_t i = 0; i < ROW; i++) {
+            assert_int_equal(rtl_view[i].start, model_view[i].start);
+            assert_int_equal(rtl_view[i].end, model_view[i].end);
+            assert_int_equal(hs_compare_words(&model_out[i], &rtl_out[i]).different, 0);
+        }
+        const hs_log_comparison c =
+            hs_log_compare(&rtl_log, "rtl", &model_log, "model", HS_LOG_DATA_OF_REFUSED);
+        if (c.different) fail_msg("seed %u: %s", seed, c.text);
+        assert_true(c.compared > 10000);
+    }
+    hs_rtl_logs(b->rtl, NULL);
+    hs_flight_free(flight);
+    hs_log_free(&rtl_log);
+    hs_log_free(&model_log);
+    for (uint32_t i = 0; i < ROW; i++) {
+        hs_packet_free(&in[i]);
+        hs_packet_free(&rtl_out[i]);
+        hs_packet_free(&model_out[i]);
+    }
+}
+
 /* A bench of which nothing could be told would be a bench for nothing. */
 static void every_boundary_was_passed(void **state) {
     const bench *b = *state;
@@ -160,7 +216,7 @@ static void another_architecture_is_another_model(void **state) {
 static void a_model_out_of_range_is_refused(void **state) {
     (void)state;
     hs_error err;
-    for (uint32_t i = 0; i < 9; i++) {
+    for (uint32_t i = 0; i < 11; i++) {
         hs_model_config c = HS_DEFAULT_CONFIG;
         if (i == 0) c.port = 3;
         if (i == 1) c.port = 8;
@@ -171,6 +227,8 @@ static void a_model_out_of_range_is_refused(void **state) {
         if (i == 6) c.latency = 0;
         if (i == 7) c.latency = 9;
         if (i == 8) c.ops = 8;
+        if (i == 9) c.views = 0;
+        if (i == 10) c.views = 9;
         assert_null(hs_model_new(HS_DEFAULT_LIMITS, c, &err));
         assert_int_equal(err.code, HS_EXIT_USAGE);
     }
@@ -180,6 +238,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(stalls_on_either_side_are_modelled),
         cmocka_unit_test(large_faces_and_valences_are_modelled),
+        cmocka_unit_test(views_in_a_row_are_modelled),
         cmocka_unit_test(every_boundary_was_passed),
         cmocka_unit_test(a_cycle_or_a_word_off_is_found_and_named),
         cmocka_unit_test(a_counter_off_is_found_and_named),
