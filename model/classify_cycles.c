@@ -45,22 +45,14 @@ void hs_log_contribution(hs_model *m, hs_time t, const hs_state *s, uint32_t f, 
 hs_time hs_cycles_classify(hs_model *m, const hs_state *s, hs_time kick) {
     hs_window *read = &m->read, *write = &m->write;
     hs_queue *fold = &m->items;
-    hs_window_clear(read, &m->config);
-    hs_window_clear(write, &m->config);
-    hs_queue_clear(fold, hs_fold_most(&m->config));
-    uint64_t busy = 0, blocked = 0;
-    hs_time shown = kick + 1, at_work = 0;
+    hs_front front = hs_front_start(m, read, write, fold, kick);
+    hs_time at_work = 0;
     uint32_t item = 0;
     for (uint32_t f = 0; f < s->faces; f++) {
         const uint32_t count = s->generation ? 1 : hs_face_sides(s, f), first = item;
         hs_time in[HS_MAX_SIDES], point = 0;
         for (uint32_t i = 0; i < count; i++, item++) {
-            const hs_time t = hs_queue_wait(fold, hs_gather_wait(read, shown));
-            busy++;
-            blocked += t - shown;
-            shown = t + 1;
-            hs_log_item(m, HS_PROBE_classify_in, t, s, item);
-            in[i] = hs_gather(read, t, hs_item_origins(s, item), hs_item_lanes(s, item)) + 1;
+            in[i] = hs_front_take(m, &front, read, fold, s, item, HS_PROBE_classify_in) + 1;
             hs_queue_in(fold, in[i]);
             point = in[i] + HS_GEOMETRY;
         }
@@ -77,15 +69,17 @@ hs_time hs_cycles_classify(hs_model *m, const hs_state *s, hs_time kick) {
             hs_log_contribution(m, at_work, s, f, first + i, lanes);
         }
     }
-    const hs_time last = busy ? write->last + 1 : kick; /* accumulate writes behind its read */
-    hs_account(m, HS_STAGE_classify, kick, last, busy, blocked);
+    const hs_time last =
+        front.busy ? write->last + 1 : kick; /* accumulate writes behind its read */
+    hs_account(m, HS_STAGE_classify, kick, last, front.busy, front.blocked);
     const bool odd = hs_odd_step(s);
     const uint64_t vertex = HS_POSITION_WORD + HS_SHARP_WORD + (odd ? 0 : HS_POSITION_WORD);
     const uint64_t added =
         HS_MARK_WORD + (odd ? HS_SUM_WORD : 0u) + (s->settings.limit ? HS_RING_WORD : 0u);
-    m->traffic.read += busy * hs_record_bits(s) + read->served * vertex + write->served * added;
+    m->traffic.read +=
+        front.busy * hs_record_bits(s) + read->served * vertex + write->served * added;
     m->traffic.written += write->served * (added + 2) + (uint64_t)s->faces * HS_POINT_WORD;
     m->report->conflicts += read->own.count + write->own.count;
-    const hs_time checked = s->generation ? 0 : kick + busy + CHECK_BEHIND;
+    const hs_time checked = s->generation ? 0 : kick + front.busy + CHECK_BEHIND;
     return hs_later(last + 1, hs_later(kick + 1, checked));
 }

@@ -15,11 +15,8 @@ static void log_new(hs_model *m, hs_time t, const hs_state *s, uint32_t f) {
 hs_time hs_cycles_guard(hs_model *m, const hs_state *s, hs_time kick) {
     hs_window *read = &m->read, *write = &m->write;
     hs_queue *fold = &m->items;
-    hs_window_clear(read, &m->config);
-    hs_window_clear(write, &m->config);
-    hs_queue_clear(fold, hs_fold_most(&m->config));
-    uint64_t busy = 0, blocked = 0;
-    hs_time shown = kick + 1, out = 0;
+    hs_front front = hs_front_start(m, read, write, fold, kick);
+    hs_time out = 0;
     uint32_t item = 0, number = s->vertices;
     for (uint32_t f = 0; f < s->faces; f++) {
         const uint32_t count = s->generation ? 1 : hs_face_sides(s, f), first = item;
@@ -27,12 +24,7 @@ hs_time hs_cycles_guard(hs_model *m, const hs_state *s, hs_time kick) {
         const bool selected = s->decision[f] & FACE_SELECTED;
         hs_time verdict = 0;
         for (uint32_t i = 0; i < count; i++, item++) {
-            const hs_time t = hs_queue_wait(fold, hs_gather_wait(read, shown));
-            busy++;
-            blocked += t - shown;
-            shown = t + 1;
-            hs_log_item(m, HS_PROBE_guard_in, t, s, item);
-            verdict = hs_gather(read, t, hs_item_origins(s, item), hs_item_lanes(s, item));
+            verdict = hs_front_take(m, &front, read, fold, s, item, HS_PROBE_guard_in);
             hs_queue_in(fold, verdict);
         }
         if (refined) log_new(m, verdict, s, f);
@@ -45,10 +37,10 @@ hs_time hs_cycles_guard(hs_model *m, const hs_state *s, hs_time kick) {
         }
         number += refined;
     }
-    const hs_time last = busy ? hs_later(out, write->last) : kick;
-    hs_account(m, HS_STAGE_guard, kick, last, busy, blocked);
-    m->traffic.read += busy * (hs_record_bits(s) + HS_POINT_WORD + 1) + read->served;
-    m->traffic.written += write->served + busy * 2 * HS_VERDICT_WORD +
+    const hs_time last = front.busy ? hs_later(out, write->last) : kick;
+    hs_account(m, HS_STAGE_guard, kick, last, front.busy, front.blocked);
+    m->traffic.read += front.busy * (hs_record_bits(s) + HS_POINT_WORD + 1) + read->served;
+    m->traffic.written += write->served + front.busy * 2 * HS_VERDICT_WORD +
                           (uint64_t)(number - s->vertices) * HS_BIRTH_WORDS;
     m->report->conflicts += read->own.count + write->own.count;
     return hs_later(kick, last) + 1;

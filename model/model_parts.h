@@ -296,6 +296,32 @@ static inline uint64_t hs_record_bits(const hs_state *s) {
     return s->generation ? 2 * HS_HALF_WORD : HS_HALF_WORD;
 }
 
+/* The front of classify, select and guard: fetch shows items in order, a gather takes them when it
+ * has room and the fold behind it does not ask to stop. */
+typedef struct hs_front {
+    hs_time shown; /* the next item is, from this cycle on */
+    uint64_t busy, blocked;
+} hs_front;
+
+static inline hs_front hs_front_start(hs_model *m, hs_window *read, hs_window *write,
+                                      hs_queue *fold, hs_time kick) {
+    hs_window_clear(read, &m->config);
+    hs_window_clear(write, &m->config);
+    hs_queue_clear(fold, hs_fold_most(&m->config));
+    return (hs_front){.shown = kick + 1};
+}
+
+/* Takes the next item; the cycle in which the gather gives it. */
+static inline hs_time hs_front_take(hs_model *m, hs_front *f, hs_window *read, hs_queue *fold,
+                                    const hs_state *s, uint32_t item, uint32_t probe) {
+    const hs_time t = hs_queue_wait(fold, hs_gather_wait(read, f->shown));
+    f->busy++;
+    f->blocked += t - f->shown;
+    f->shown = t + 1;
+    hs_log_item(m, probe, t, s, item);
+    return hs_gather(read, t, hs_item_origins(s, item), hs_item_lanes(s, item));
+}
+
 /* The stages. kick: the cycle in which the sequencer starts it; the result: the one in which it
  * sees that the stage has come to rest. s: golden's state when the stage has done its work. */
 hs_time hs_cycles_receive(hs_model *m, const hs_state *s);

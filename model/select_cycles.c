@@ -7,23 +7,15 @@
 hs_time hs_cycles_select(hs_model *m, const hs_state *s, hs_time kick) {
     hs_window *read = &m->read, *write = &m->write;
     hs_queue *fold = &m->items;
-    hs_window_clear(read, &m->config);
-    hs_window_clear(write, &m->config);
-    hs_queue_clear(fold, hs_fold_most(&m->config));
-    uint64_t busy = 0, blocked = 0;
-    hs_time shown = kick + 1, out = 0;
+    hs_front front = hs_front_start(m, read, write, fold, kick);
+    hs_time out = 0;
     uint32_t item = 0;
     for (uint32_t f = 0; f < s->faces; f++) {
         const uint32_t count = s->generation ? 1 : hs_face_sides(s, f), first = item;
         const bool selected = s->decision[f] & FACE_SELECTED;
         hs_time verdict = 0;
         for (uint32_t i = 0; i < count; i++, item++) {
-            const hs_time t = hs_queue_wait(fold, hs_gather_wait(read, shown));
-            busy++;
-            blocked += t - shown;
-            shown = t + 1;
-            hs_log_item(m, HS_PROBE_select_in, t, s, item);
-            verdict = hs_gather(read, t, hs_item_origins(s, item), hs_item_lanes(s, item));
+            verdict = hs_front_take(m, &front, read, fold, s, item, HS_PROBE_select_in);
             hs_queue_in(fold, verdict);
         }
         hs_log_words(m, HS_PROBE_select_face, verdict, f, selected, 0, 0, 0);
@@ -35,9 +27,10 @@ hs_time hs_cycles_select(hs_model *m, const hs_state *s, hs_time kick) {
             hs_log_words(m, HS_PROBE_select_out, out, first + i, selected, 0, 0, 0);
         }
     }
-    const hs_time last = busy ? hs_later(out, write->last) : kick;
-    hs_account(m, HS_STAGE_select, kick, last, busy, blocked);
-    m->traffic.read += busy * (hs_record_bits(s) + HS_POINT_WORD) + read->served * HS_MARK_WORD;
+    const hs_time last = front.busy ? hs_later(out, write->last) : kick;
+    hs_account(m, HS_STAGE_select, kick, last, front.busy, front.blocked);
+    m->traffic.read +=
+        front.busy * (hs_record_bits(s) + HS_POINT_WORD) + read->served * HS_MARK_WORD;
     m->traffic.written += write->served + s->faces;
     m->report->conflicts += read->own.count + write->own.count;
     return hs_later(kick, last) + 1;

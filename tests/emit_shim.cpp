@@ -52,6 +52,8 @@ void emit_rtl_cycle(emit_rtl *rtl, const emit_op *op, const emit_view *view, boo
         top.op_number_i = op->number & 0xffffff;
         for (int i = 0; i < 4; i++)
             top.op_position_i[i] = op->position[i];
+        for (int i = 0; i < 12; i++)
+            top.op_group_i[i] = op->group[i];
         top.op_at_level_i = op->at_level & 1;
         top.op_mask_i = op->mask & 15;
         top.op_triangle_i = op->triangle & 15;

@@ -16,6 +16,8 @@ extern "C" {
 typedef struct emit_op {
     uint32_t kind, generation, number;
     uint32_t position[4];
+    uint32_t
+        group[12]; /* GROUP: positions of vertices 1 to 3; their numbers are vertex[0] to [2] */
     uint32_t at_level;
     uint32_t mask, triangle, child, candidate;
     uint32_t vertex[16]; /* vertex k of slot s at 4*s+k */
