@@ -14,18 +14,19 @@
 //                         RNE((n^2 S + M) / (n^2 + 5n)) in odd ones
 //            stays:       S
 //
-//   rows of marks --> pick a vertex --> position, sum --> division --> memories, send
+//   smooth_walk --> one vertex: position, sum --> division --> memories, lanes --> send_groups --> emit
+//               '-> up to four: positions --------------------------> lanes
 //
 //   * start_i for one cycle with count_i vertices and new_i new ones behind them. The settings hold
 //     until active_o falls, which is when everything was sent. With limit_i last_i is never set.
-//   * A vertex is active if its mark word's tag is this generation. In an odd step every active
-//     vertex' old position is kept, moved or not: classify needs it in the even step.
-//   * Rate: an active vertex a cycle; a row of vertices without work takes one cycle. In an even
-//     step only vertices that leave are work. Where none moves and none has a limit, up to four of a
-//     row leave in a cycle, in groups (group_*); with new_from_face_i new ones leave singly.
-//   * write_valid_o: write_vertex_o gets the position (if write_move_o), the old position (if
-//     write_old_o), and counts as sent (if write_sent_o). No vertex is read after it was written.
-//   * send_valid_o/send_ready_i: vertices that leave, in order; send_at_level_o: with limit_i, at
+//   * A vertex is active if its mark word's tag is generation_i: the one whose classify ran last, which
+//     in an even step behind one pass of classify and split is the one before. In an odd step every
+//     active vertex' old position is kept (keep_*), moved or not: classify needs it in the even step.
+//   * Rate: a vertex that moves, or four of a row that do not, a cycle (smooth_walk.sv).
+//   * write_valid_o: write_vertex_o gets the position (if write_move_o), and counts as sent (if
+//     write_sent_o). No vertex is read after it was written.
+//   * group_*, send_*: vertices that leave, in order, four at a time and, behind the last group, singly;
+//     with limit_i all singly, and send_at_level_o says that a vertex leaves at
 //     the position of its level. What leaves at its limit is not written: the surface goes on with
 //     the positions of the level. No vertex moves and leaves at once with limit_i, as what leaves is
 //     held or on the border, or nothing is refined any more.
@@ -34,7 +35,7 @@ module smooth #(
     parameter int unsigned VW = 19,  // width of a vertex number
     parameter int unsigned BANK_BITS = 3,
     parameter int unsigned OPS = 16,  // that wait for emit; 16 or more
-    parameter bit WIDE = 1'b1  // several vertices may leave in a cycle
+    parameter bit WIDE = 1'b1  // else all are picked, and leave, singly
 ) (
     input logic clk_i,
     input logic rst_i,
