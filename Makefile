@@ -97,13 +97,14 @@ LINT_C := $(wildcard model/*.[ch] sim/*.[ch] tests/*.[ch])
 lint: rtl/hs_pkg.sv docs/reference.md ## Verilator, Yosys, clang-format, cppcheck, licence lines
 	@for r in 1 2 4; do echo "verilator -Wall, $$r records a beat"; \
 	    verilator --lint-only -Wall -GPORT_RECORDS=$$r -f rtl/files.f --top-module halfstep || exit 1; done
-	@for a in smallest largest; do echo "verilator -Wall, $$a architecture"; done
+	@for a in smallest largest flight; do echo "verilator -Wall, $$a architecture"; done
 	@verilator --lint-only -Wall $(smallest) -f rtl/files.f --top-module halfstep
 	@verilator --lint-only -Wall $(largest) -f rtl/files.f --top-module halfstep
+	@verilator --lint-only -Wall $(flight) -f rtl/files.f --top-module halfstep
 	@echo "yosys check"
 	@yosys -q -p "read_verilog -sv $$(tr '\n' ' ' <rtl/files.f); \
-	    hierarchy -check -top halfstep -chparam VERTICES 1024 -chparam QUADS 1024 \
-	    -chparam WINDOW_BITS 1 -chparam BANK_BITS 2; proc; check -assert" >$(BUILD)/yosys.log 2>&1 || \
+	    chparam -set VERTICES 1024 -set QUADS 1024 -set WINDOW_BITS 1 -set BANK_BITS 2 halfstep; \
+	    hierarchy -check -top halfstep; proc; check -assert" >$(BUILD)/yosys.log 2>&1 || \
 	    { cat $(BUILD)/yosys.log; exit 1; }
 	@! grep -v 'Replacing memory' $(BUILD)/yosys.log
 	@test "$$(grep -v hs_pkg rtl/files.f)" = "$$(ls rtl/*.sv | grep -v hs_pkg)" || \

@@ -253,10 +253,10 @@ bool hs_model_view(hs_model *m, const hs_packet *in, hs_packet *out, hs_golden_r
 
 bool hs_model_run(hs_model *m, const hs_packet *in, hs_stalls stalls, hs_packet *out,
                   hs_golden_report *report, hs_cycle_report *cycles, hs_log *log, hs_error *err) {
-    hs_pauses input = hs_pauses_start(stalls.seed, HS_PAUSES_INPUT, stalls.input);
-    m->input = &input;
+    m->own_input = hs_pauses_start(stalls.seed, HS_PAUSES_INPUT, stalls.input);
+    m->input = &m->own_input;
     m->offered = m->free = 0;
-    while (hs_pauses_next(&input))
+    while (hs_pauses_next(m->input))
         m->offered++;
     m->log = log;
     if (log) hs_log_clear(log);

@@ -227,7 +227,8 @@ typedef struct hs_op {
  */
 struct hs_model {
     hs_model_config config;
-    hs_output_port output; /* of a model alone */
+    hs_output_port output; /* of a model alone, and */
+    hs_pauses own_input;   /* its input's pauses */
     hs_golden *golden;
 
     /* The view */
