@@ -8,10 +8,7 @@
  */
 #include "model_parts.h"
 
-enum {
-    GEOMETRY = 5,    /* face_geometry: LATENCY */
-    CHECK_BEHIND = 3 /* check_twins: cycles behind its last corner */
-};
+enum { CHECK_BEHIND = 3 }; /* check_twins: cycles behind its last corner */
 
 void hs_log_face(hs_model *m, hs_time t, const hs_state *s, uint32_t f) {
     if (!m->log) return;

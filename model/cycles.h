@@ -51,6 +51,9 @@ static inline bool hs_pauses_next(hs_pauses *pauses) {
 /* --- What one view cost -------------------------------------------------------------------------
  */
 
+/* Where a cycle or a latency is told, but there is none. */
+#define HS_NO_CYCLE UINT64_MAX
+
 /* Counters are differences over the view. */
 typedef struct hs_cycle_report {
     uint64_t begin;      /* cycle from which words, transactions and waveforms count */
@@ -104,7 +107,9 @@ typedef struct hs_log_comparison {
 hs_log_comparison hs_log_compare(const hs_log *a, const char *a_name, const hs_log *b,
                                  const char *b_name, uint64_t skip);
 
-/* Compares all counters and the cycles. False, with the first difference in words. */
+/* Compares all counters and the cycles: HS_REPORT_COUNTERS numbers. False, with the first
+ * difference in words. */
+enum { HS_REPORT_COUNTERS = HS_STAGES * (HS_ACTIVITIES + 2) + 4 };
 bool hs_cycle_report_equal(const hs_cycle_report *a, const hs_cycle_report *b, char *text,
                            size_t size);
 

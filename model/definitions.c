@@ -29,6 +29,14 @@ static const char *const stages[] = {
 
 #undef STAGE
 #define STAGE(name, index, what)
+#undef ACTIVITY
+#define ACTIVITY(name, index, what) #name,
+static const char *const activities[] = {
+#include "definitions.def"
+};
+
+#undef ACTIVITY
+#define ACTIVITY(name, index, what)
 #undef PROBE
 #define PROBE(name, index, stage, what) {#name, what, HS_STAGE_##stage},
 static const struct {
@@ -59,6 +67,10 @@ const char *hs_status_remedy(uint32_t status) {
 
 const char *hs_stage_name(uint32_t stage) {
     return stage < HS_STAGES ? stages[stage] : "?";
+}
+
+const char *hs_activity_name(uint32_t activity) {
+    return activity < HS_ACTIVITIES ? activities[activity] : "?";
 }
 
 const char *hs_probe_name(uint32_t probe) {

@@ -98,6 +98,8 @@ const char *hs_status_what(uint32_t status);
 const char *hs_status_remedy(uint32_t status);
 /* "classify" for HS_STAGE_classify. */
 const char *hs_stage_name(uint32_t stage);
+/* "busy" for HS_ACTIVITY_busy. */
+const char *hs_activity_name(uint32_t activity);
 /* "split_in" for HS_PROBE_split_in, what passes there, and the stage that it belongs to. */
 const char *hs_probe_name(uint32_t probe);
 const char *hs_probe_what(uint32_t probe);

@@ -105,7 +105,6 @@ static bool same(const char *what, uint64_t a, uint64_t b, char *text, size_t si
 
 bool hs_cycle_report_equal(const hs_cycle_report *a, const hs_cycle_report *b, char *text,
                            size_t size) {
-    static const char *const activity[HS_ACTIVITIES] = {"busy", "starved", "blocked", "idle"};
     if (!same("cycles", a->cycles, b->cycles, text, size) ||
         !same("start", a->start - a->begin, b->start - b->begin, text, size) ||
         !same("first beat out", a->first_out - a->begin, b->first_out - b->begin, text, size))
@@ -113,7 +112,7 @@ bool hs_cycle_report_equal(const hs_cycle_report *a, const hs_cycle_report *b, c
     for (uint32_t s = 0; s < HS_STAGES; s++) {
         char what[60];
         for (uint32_t k = 0; k < HS_ACTIVITIES; k++) {
-            snprintf(what, sizeof what, "%s %s", hs_stage_name(s), activity[k]);
+            snprintf(what, sizeof what, "%s %s", hs_stage_name(s), hs_activity_name(k));
             if (!same(what, a->activity[s][k], b->activity[s][k], text, size)) return false;
         }
         snprintf(what, sizeof what, "%s items in", hs_stage_name(s));

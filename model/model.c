@@ -44,26 +44,26 @@ static void send_control(hs_model *m, uint32_t kind) {
     m->now = hs_emit_op(m, m->now, &op) + 1;
 }
 
-/* Runs whose every step refines all there is, and in which vertices leave in the last one alone. */
-static bool is_whole(const hs_model *m, const hs_state *s) {
-    return s->settings.uniform && !s->settings.limit &&
-           (m->closed || s->settings.boundary != HS_BOUNDARY_KEPT);
+/* Runs without borders whose every step refines all there is. */
+static bool is_borderless(const hs_state *s) {
+    return s->settings.uniform && (s->closed || s->settings.boundary != HS_BOUNDARY_KEPT);
 }
 
-/* Whether smooth is left out: an even step of a uniform run without borders, but the last ones. */
+/* Of these, those in which vertices leave in the last step alone. */
+static bool is_whole(const hs_state *s) {
+    return is_borderless(s) && !s->settings.limit;
+}
+
+/* Whether smooth is left out: an even step of a run without borders, but the last ones. */
 static bool smooth_idle(const hs_model *m, const hs_state *s) {
     const bool last = !s->settings.limit && s->generation + 1 == s->depth;
-    return s->settings.uniform && (m->closed || s->settings.boundary != HS_BOUNDARY_KEPT) &&
-           !hs_odd_step(s) && !last && !m->ends;
+    return is_borderless(s) && !hs_odd_step(s) && !last && !m->ends;
 }
 
 static void entered(void *context, const hs_state *s) {
     hs_model *m = context;
     if (s->generation) return;
     m->entered = true;
-    m->closed = s->boundary == 0;
-    for (uint32_t h = 0; h < s->halfedges && m->closed; h++)
-        m->closed = s->twin[h] != HS_BORDER;
     m->now = hs_cycles_receive(m, s) + 1;
 }
 
@@ -87,7 +87,7 @@ static void decided(void *context, const hs_state *s) {
         m->exhausted = true;
         return;
     }
-    const bool whole = is_whole(m, s);
+    const bool whole = is_whole(s);
     m->has_smooth = first || !uniform || !smooth_idle(m, s) || s->status == HS_STATUS_STOPPED;
     m->pass = whole && hs_odd_step(s) && !first && !s->last && !s->finish;
     m->edges = whole && !hs_odd_step(s) && s->generation >= 3;
@@ -273,5 +273,5 @@ hs_model_traffic hs_model_traffic_of(const hs_model *m) {
 
 uint64_t hs_model_word_cycle(const hs_model *m, size_t word) {
     const size_t beat = word / (4 * (size_t)m->config.port);
-    return beat < m->emit.beats ? m->emit.beat_cycle[beat] : UINT64_MAX;
+    return beat < m->emit.beats ? m->emit.beat_cycle[beat] : HS_NO_CYCLE;
 }

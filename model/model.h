@@ -37,7 +37,7 @@ hs_model_config hs_model_config_decode(uint32_t architecture);
 /* HS_EXIT_USAGE, with the parameter, its value and what it may be, if one is out of range. */
 bool hs_model_config_good(const hs_model_config *config, hs_error *err);
 
-/* Bits of all memories, windows and FIFOs of a pipeline with the default capacities. */
+/* Bits of all memories, windows and FIFOs of all pipelines with the default capacities. */
 uint64_t hs_model_memory_bits(const hs_model_config *config);
 
 /* Bits that a view read from the memories and wrote to them. */

@@ -240,7 +240,6 @@ struct hs_model {
     hs_model_traffic traffic;
     hs_log *log;          /* or NULL */
     bool entered;         /* golden has accepted the packet */
-    bool closed;          /* it has neither border nor boundary */
     bool ends;            /* this generation is the last one */
     bool has_smooth;      /* smooth is not left out in this step */
     bool pass;            /* classify and split work in one pass */

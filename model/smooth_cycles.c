@@ -117,9 +117,7 @@ static void walk_row(walk *w, uint32_t row, uint32_t banks) {
     uint32_t together[HS_MOST_BANKS], single[HS_MOST_BANKS], together_count = 0, single_count = 0;
     for (uint32_t v = row; v < row + banks && v < s->vertices; v++) {
         if (!(s->mark[v] & MARK_ACTIVE)) continue;
-        if (w->leaves_only || !w->odd) {
-            if (!leaves(w, v)) continue;
-        }
+        if ((w->leaves_only || !w->odd) && !leaves(w, v)) continue;
         if (w->leaves_only || (w->mixed && !moves(w, v)))
             together[together_count++] = v;
         else

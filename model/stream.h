@@ -72,6 +72,10 @@ static inline uint32_t hs_tag(uint32_t kind, uint32_t detail) {
     return (uint32_t)HS_TAG << 23 | kind << 20 | detail;
 }
 
+/* Index of the first word of the first record of a kind, not a vertex, in an output packet;
+ * SIZE_MAX if there is none. */
+size_t hs_packet_find(const hs_packet *packet, uint32_t kind);
+
 /* One output packet, decoded. Vertex numbers in the stream are the pipeline's own; here faces
  * name vertices by their place in the output, as mesh files do. */
 typedef struct hs_output {

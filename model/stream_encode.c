@@ -85,6 +85,12 @@ uint32_t hs_packet_crc(const hs_packet *packet) {
     return packet->words ? hs_crc(0, packet->word, packet->words - 1) : 0;
 }
 
+size_t hs_packet_find(const hs_packet *packet, uint32_t kind) {
+    for (size_t at = 0; at + 4 <= packet->words; at += 4)
+        if (packet->word[at] >> 20 == hs_tag(kind, 0) >> 20) return at;
+    return SIZE_MAX;
+}
+
 /* --- The input packet of a view --------------------------------------------------------------- */
 
 static uint32_t *put_record(uint32_t *at, uint32_t w0, uint32_t w1, uint32_t w2, uint32_t w3) {

@@ -167,10 +167,12 @@ module sequencer #(
   assign new_o = (VW + 1)'(refined);
   assign refused_o = status_q != OK && status_q != STOPPED;
 
-  // Runs whose every step refines all there is, and in which vertices leave in the last one alone.
-  logic whole, stops;
+  // Runs without borders whose every step refines all there is; and of these, those in which vertices
+  // leave in the last step alone.
+  logic borderless, whole, stops;
 
-  assign whole = uniform_i && !limit_i && (closed_i || !kept_i);
+  assign borderless = uniform_i && (closed_i || !kept_i);
+  assign whole = borderless && !limit_i;
   assign stops = ends || exceeds || empty;
   assign pass_o = whole && odd_o && quads_o && !last_o && !stops && !finish_q;
   assign edge_o = whole && !odd_o && generation_q >= 8'd3;
@@ -179,7 +181,7 @@ module sequencer #(
   // In an even step without borders, nothing moves and nothing is held.
   logic smooth_idle;
 
-  assign smooth_idle = uniform_i && (closed_i || !kept_i) && !odd_o && !last_o && !ends;
+  assign smooth_idle = borderless && !odd_o && !last_o && !ends;
 
   // --- Errors of the topology, found in generation 0 -------------------------------------------------------
   logic valence_error_q;

@@ -3,12 +3,10 @@
  * halfstep explore: the cycle-level model over a space of micro-architectures and views, on all
  * cores, and on as many machines as there are shards.
  */
-#include <errno.h>
 #include <math.h>
 #include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include "commands.h"
@@ -40,10 +38,10 @@ static const hs_command COMMAND = {
 typedef struct request {
     const char *mesh, *views, *force, *out, *clock_text, *shard_text, *size;
     hs_option_list set;
-    uint32_t orbit, front, silhouette, guard, uniform, jobs;
+    uint32_t orbit, jobs;
     uint32_t width, height, shard, shards;
-    bool views_given, orbit_given, front_given, silhouette_given, round_sharpness, quiet;
-    hs_surface_texts surface;
+    bool orbit_given, round_sharpness, quiet;
+    hs_surface_options surface;
     hs_settings settings;
     hs_limits limits;
     double clock;
@@ -71,28 +69,15 @@ static bool complete(request *r, hs_error *err) {
     }
     if (r->views && r->orbit_given)
         return hs_fail(err, HS_EXIT_USAGE, "--views and --orbit exclude each other; give one");
-    r->settings = (hs_settings){.front_depth = (uint8_t)r->front,
-                                .silhouette_depth = (uint8_t)r->silhouette,
-                                .uniform = r->uniform != UINT32_MAX,
-                                .guard = r->guard != 0};
-    if (!hs_surface_settings(&r->settings, &r->surface, r->width, r->height, err)) return false;
-    if (!r->settings.uniform) return true;
-    r->settings.uniform_depth = (uint8_t)r->uniform;
-    r->settings.front_depth = r->settings.silhouette_depth = 0;
-    if (r->front_given || r->silhouette_given)
-        return hs_fail(err, HS_EXIT_USAGE,
-                       "--uniform ignores the view; drop it, or drop --front and --silhouette");
-    return true;
+    return hs_surface_settings(&r->settings, &r->surface, r->force != NULL, r->width, r->height,
+                               err);
 }
 
 static enum hs_parsed parse(request *r, int argc, char **argv, hs_error *err) {
     *r = (request){.out = "out/explore",
                    .size = "768x768",
                    .orbit = 1,
-                   .front = 4,
-                   .silhouette = 8,
-                   .guard = 1,
-                   .uniform = UINT32_MAX,
+                   .surface = HS_SURFACE_DEFAULTS,
                    .limits = HS_DEFAULT_LIMITS};
     const hs_option option[] = {
         {"set", 0, HS_OPTION_LIST, "NAME=V,V", &r->set, 0, 0, NULL,
@@ -100,16 +85,16 @@ static enum hs_parsed parse(request *r, int argc, char **argv, hs_error *err) {
         {"orbit", 'n', HS_OPTION_NUMBER, "N", &r->orbit, 1, 65536, &r->orbit_given,
          "N viewpoints on a circle around the mesh (1)"},
         {"views", 'v', HS_OPTION_TEXT, "FILE", &r->views, 0, 0, NULL, "viewpoints from a file"},
-        {"front", 'f', HS_OPTION_NUMBER, "DEPTH", &r->front, 0, HS_MAX_DEPTH, &r->front_given,
-         "steps for front faces in view (4)"},
-        {"silhouette", 's', HS_OPTION_NUMBER, "DEPTH", &r->silhouette, 0, HS_MAX_DEPTH,
-         &r->silhouette_given, "steps for faces at the silhouette (8)"},
-        {"guard", 'g', HS_OPTION_NUMBER, "0|1", &r->guard, 0, 1, NULL,
+        {"front", 'f', HS_OPTION_NUMBER, "DEPTH", &r->surface.front, 0, HS_MAX_DEPTH,
+         &r->surface.front_given, "steps for front faces in view (4)"},
+        {"silhouette", 's', HS_OPTION_NUMBER, "DEPTH", &r->surface.silhouette, 0, HS_MAX_DEPTH,
+         &r->surface.silhouette_given, "steps for faces at the silhouette (8)"},
+        {"guard", 'g', HS_OPTION_NUMBER, "0|1", &r->surface.guard, 0, 1, NULL,
          "refine the ring around selected faces as well (1)"},
-        {"uniform", 'u', HS_OPTION_NUMBER, "DEPTH", &r->uniform, 0, HS_MAX_DEPTH, NULL,
-         "so many steps everywhere"},
+        {"uniform", 'u', HS_OPTION_NUMBER, "DEPTH", &r->surface.uniform, 0, HS_MAX_DEPTH,
+         &r->surface.uniform_given, "so many steps everywhere"},
         {"min-edge-px", 0, HS_OPTION_TEXT, "PIXELS", &r->surface.min_edge, 0, 0, NULL,
-         "leave faces alone whose edges are all shorter"},
+         "leave faces alone whose edges are all shorter; depths\nthat are not given then are 24"},
         {"boundary", 'b', HS_OPTION_TEXT, "MODE", &r->surface.boundary, 0, 0, NULL,
          "kept, smooth or edge-only (smooth)"},
         {"limit", 'l', HS_OPTION_FLAG, NULL, &r->surface.limit, 0, 0, NULL,
@@ -171,10 +156,8 @@ static bool take_point(exploration *e, uint64_t *point) {
 
 static uint64_t latency(const hs_model *model, const hs_cycle_report *c, const hs_packet *out,
                         uint32_t kind) {
-    for (size_t at = 0; at + 4 <= out->words; at += 4)
-        if (out->word[at] >> 20 == hs_tag(kind, 0) >> 20)
-            return c->begin + hs_model_word_cycle(model, at) - c->start;
-    return UINT64_MAX;
+    const size_t at = hs_packet_find(out, kind);
+    return at == SIZE_MAX ? HS_NO_CYCLE : c->begin + hs_model_word_cycle(model, at) - c->start;
 }
 
 static bool run_point(const exploration *e, hs_model *model, uint64_t point, hs_packet *out,
@@ -280,17 +263,6 @@ static bool run_workers(exploration *e, hs_error *err) {
 
 /* --- The command --------------------------------------------------------------------------------
  */
-static bool open_views(exploration *e, hs_error *err) {
-    const request *r = e->request;
-    const double aspect = (double)r->width / (double)r->height;
-    if (r->views ? !hs_views_read(&e->views, r->views, aspect, err)
-                 : !hs_views_orbit(&e->views, r->orbit, &e->mesh, aspect, err))
-        return false;
-    return (e->views.count > 0 && e->views.count <= 65536) ||
-           hs_fail(err, HS_EXIT_VIEWS, "%.300s: %u views; there should be 1 to 65536", r->views,
-                   e->views.count);
-}
-
 /* What is explored, in one number: the packets of all views, and the space. */
 static bool encode_views(exploration *e, uint32_t *fingerprint, hs_error *err) {
     e->packet = calloc(e->views.count, sizeof *e->packet);
@@ -329,7 +301,9 @@ static bool prepare(exploration *e, hs_error *err) {
     if (!hs_mesh_open(&e->mesh, r->mesh, r->round_sharpness, r->quiet, err)) return false;
     if (r->force && !hs_mesh_force(&e->mesh, r->force, err)) return false;
     e->depth = hs_view_depth(&r->settings, &e->mesh);
-    if (!open_views(e, err) || !make_space(e, err) || !encode_views(e, &fingerprint, err))
+    const double aspect = (double)r->width / (double)r->height;
+    if (!hs_views_open(&e->views, r->views, r->orbit, &e->mesh, aspect, err) ||
+        !make_space(e, err) || !encode_views(e, &fingerprint, err))
         return false;
     if (!hs_folder_make(r->out, err) ||
         !hs_explore_journal_open(&e->journal, r->out, r->shard, r->shards, fingerprint, e->row,

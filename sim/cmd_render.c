@@ -72,9 +72,7 @@ static void free_scene(scene *s) {
 /* Options whose values are looked at behind the table. */
 typedef struct texts {
     const char *size;
-    hs_surface_texts surface;
-    uint32_t front, silhouette, guard, uniform;
-    bool front_given, silhouette_given, guard_given, uniform_given, force_given;
+    hs_surface_options surface;
 } texts;
 
 static bool check_figure(const char *what, hs_error *err) {
@@ -103,24 +101,10 @@ static bool complete(request *r, const texts *t, hs_error *err) {
                        t->size);
     if (r->views_given && r->orbit_given)
         return hs_fail(err, HS_EXIT_USAGE, "--views and --orbit exclude each other; give one");
-    if (t->uniform_given && (t->front_given || t->silhouette_given || t->force_given))
-        return hs_fail(err, HS_EXIT_USAGE,
-                       "--uniform refines everything whatever the view; drop it, or drop --front, "
-                       "--silhouette and --force");
-    r->depths_given = t->front_given || t->silhouette_given || t->guard_given || t->uniform_given ||
-                      t->force_given;
-    r->settings = (hs_settings){.front_depth = (uint8_t)t->front,
-                                .silhouette_depth = (uint8_t)t->silhouette,
-                                .guard = t->guard != 0};
-    if (t->uniform_given)
-        r->settings = (hs_settings){
-            .uniform = true, .uniform_depth = (uint8_t)t->uniform, .guard = t->guard != 0};
-    if (t->surface.boundary || t->surface.limit || t->surface.min_edge) r->depths_given = true;
-    if (!hs_surface_settings(&r->settings, &t->surface, r->width, r->height, err)) return false;
-    if (r->settings.min_edge && !t->front_given) r->settings.front_depth = HS_SAFETY_DEPTH;
-    if (r->settings.min_edge && !t->silhouette_given)
-        r->settings.silhouette_depth = HS_SAFETY_DEPTH;
-    return true;
+    const hs_surface_options *o = &t->surface;
+    r->depths_given = o->front_given || o->silhouette_given || o->guard_given || o->uniform_given ||
+                      o->boundary || o->limit || o->min_edge || r->force;
+    return hs_surface_settings(&r->settings, o, r->force != NULL, r->width, r->height, err);
 }
 
 /* The figures as lines of help. */
@@ -146,7 +130,7 @@ static enum hs_parsed parse(request *r, int argc, char **argv, hs_error *err) {
                    .turn = (uint32_t)HS_SIDE_DEGREES,
                    .samples = 3,
                    .levels = HS_REFERENCE_SURFACE_LEVELS};
-    texts t = {.size = "768x768", .front = 4, .silhouette = 8, .guard = 1};
+    texts t = {.size = "768x768", .surface = HS_SURFACE_DEFAULTS};
     const hs_option option[] = {
         {"out", 'o', HS_OPTION_TEXT, "FILE", &r->file, 0, 0, NULL, "the PNG file to write"},
         {"what", 'w', HS_OPTION_TEXT, "FIGURE", &r->what, 0, 0, NULL, figures},
@@ -156,10 +140,10 @@ static enum hs_parsed parse(request *r, int argc, char **argv, hs_error *err) {
          "viewpoints from a file: `matrix` or `look` lines"},
         {"view", 0, HS_OPTION_NUMBER, "N", &r->view, 0, 65535, &r->view_given,
          "which of them, or which of a stream's views (0; of a\nstream, its first)"},
-        {"front", 'f', HS_OPTION_NUMBER, "DEPTH", &t.front, 0, HS_MAX_DEPTH, &t.front_given,
-         "steps for front faces in view (4)"},
-        {"silhouette", 's', HS_OPTION_NUMBER, "DEPTH", &t.silhouette, 0, HS_MAX_DEPTH,
-         &t.silhouette_given, "steps for faces at the silhouette (8)"},
+        {"front", 'f', HS_OPTION_NUMBER, "DEPTH", &t.surface.front, 0, HS_MAX_DEPTH,
+         &t.surface.front_given, "steps for front faces in view (4)"},
+        {"silhouette", 's', HS_OPTION_NUMBER, "DEPTH", &t.surface.silhouette, 0, HS_MAX_DEPTH,
+         &t.surface.silhouette_given, "steps for faces at the silhouette (8)"},
         {"min-edge-px", 0, HS_OPTION_TEXT, "PIXELS", &t.surface.min_edge, 0, 0, NULL,
          "leave faces alone whose edges are all shorter"},
         {"boundary", 'b', HS_OPTION_TEXT, "MODE", &t.surface.boundary, 0, 0, NULL,
@@ -168,11 +152,11 @@ static enum hs_parsed parse(request *r, int argc, char **argv, hs_error *err) {
          "vertices at their limit positions"},
         {"round-sharpness", 0, HS_OPTION_FLAG, NULL, &r->round_sharpness, 0, 0, NULL,
          "round fractions of a sharpness, halves up"},
-        {"guard", 'g', HS_OPTION_NUMBER, "0|1", &t.guard, 0, 1, &t.guard_given,
+        {"guard", 'g', HS_OPTION_NUMBER, "0|1", &t.surface.guard, 0, 1, &t.surface.guard_given,
          "refine the ring around selected faces as well (1)"},
-        {"uniform", 'u', HS_OPTION_NUMBER, "DEPTH", &t.uniform, 0, HS_MAX_DEPTH, &t.uniform_given,
-         "so many steps everywhere, whatever the view shows"},
-        {"force", 0, HS_OPTION_TEXT, "FILE", &r->force, 0, 0, &t.force_given,
+        {"uniform", 'u', HS_OPTION_NUMBER, "DEPTH", &t.surface.uniform, 0, HS_MAX_DEPTH,
+         &t.surface.uniform_given, "so many steps everywhere, whatever the view shows"},
+        {"force", 0, HS_OPTION_TEXT, "FILE", &r->force, 0, 0, NULL,
          "depths for single faces: lines `FIRST-LAST DEPTH`,\nfaces from 1 as in the mesh"},
         {"turn", 0, HS_OPTION_NUMBER, "DEGREES", &r->turn, 0, 360, NULL,
          "how far to the right figures from the side go (80)"},
@@ -203,14 +187,10 @@ static bool choose_view(float matrix[16], const request *r, uint32_t number, con
     const double aspect = (double)r->width / r->height;
     if (!r->views && !mesh)
         return hs_fail(err, HS_EXIT_USAGE, "%.300s: no mesh to go around; give --views", r->source);
-    if (!(r->views ? hs_views_read(&views, r->views, aspect, err)
-                   : hs_views_orbit(&views, r->orbit, mesh, aspect, err)))
-        return false;
+    if (!hs_views_open(&views, r->views, r->orbit, mesh, aspect, err)) return false;
     const bool there = number < views.count;
     if (there)
         memcpy(matrix, views.view[number].matrix, sizeof views.view[number].matrix);
-    else if (views.count == 0)
-        hs_fail(err, HS_EXIT_VIEWS, "%.300s: no views; add a `look` or a `matrix` line", r->views);
     else
         hs_fail(err, HS_EXIT_USAGE, "there is no view %u; views are 0 to %u", number,
                 views.count - 1);

@@ -2,10 +2,8 @@
  *
  * halfstep run: a mesh and viewpoints through the engines.
  */
-#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 #include "commands.h"
 #include "file.h"
@@ -25,6 +23,7 @@ static const hs_command COMMAND = {
             "\n"
             "Engines: reference  doubles, the paper to the letter; replays golden's decisions\n"
             "         golden     integers in C: what every output word has to be\n"
+            "         model      in C as well: when the rtl sends it, to the cycle\n"
             "         rtl        the SystemVerilog, under Verilator, cycle by cycle\n"
             "\n"
             "Examples:\n"
@@ -85,9 +84,8 @@ bool hs_engines_parse(const char *list, uint32_t *engines, hs_error *err) {
 /* Texts that need more than a range check. */
 typedef struct texts {
     const char *engines, *size, *stalls, *window;
-    uint32_t front, silhouette, guard, uniform;
-    hs_surface_texts surface;
-    bool front_given, silhouette_given, orbit_given, seed_given, only_given;
+    hs_surface_options surface;
+    bool orbit_given, seed_given, only_given;
 } texts;
 
 static bool complete(hs_run_request *r, const texts *t, hs_error *err) {
@@ -121,23 +119,8 @@ static bool complete(hs_run_request *r, const texts *t, hs_error *err) {
         return hs_fail(err, HS_EXIT_USAGE, "--wave shows the rtl; add rtl to --engine");
     if (r->views && t->orbit_given)
         return hs_fail(err, HS_EXIT_USAGE, "--views and --orbit exclude each other; give one");
-    r->settings = (hs_settings){.front_depth = (uint8_t)t->front,
-                                .silhouette_depth = (uint8_t)t->silhouette,
-                                .uniform = t->uniform != UINT32_MAX,
-                                .guard = t->guard != 0};
-    if (!hs_surface_settings(&r->settings, &t->surface, r->width, r->height, err)) return false;
-    if (r->settings.min_edge && !t->front_given) r->settings.front_depth = HS_SAFETY_DEPTH;
-    if (r->settings.min_edge && !t->silhouette_given)
-        r->settings.silhouette_depth = HS_SAFETY_DEPTH;
-    if (!r->settings.uniform) return true;
-    r->settings.uniform_depth = (uint8_t)t->uniform;
-    r->settings.front_depth = r->settings.silhouette_depth = 0;
-    if (t->front_given || t->silhouette_given)
-        return hs_fail(err, HS_EXIT_USAGE,
-                       "--uniform ignores the view; drop it, or drop --front and --silhouette");
-    if (r->force)
-        return hs_fail(err, HS_EXIT_USAGE, "--uniform refines everything; drop it, or --force");
-    return true;
+    return hs_surface_settings(&r->settings, &t->surface, r->force != NULL, r->width, r->height,
+                               err);
 }
 
 static enum hs_parsed parse(hs_run_request *r, int argc, char **argv, hs_error *err) {
@@ -147,12 +130,7 @@ static enum hs_parsed parse(hs_run_request *r, int argc, char **argv, hs_error *
                           .reference_levels = 4,
                           .limits = HS_DEFAULT_LIMITS,
                           .stalls = {.seed = 1}};
-    texts t = {.engines = "golden,model,rtl",
-               .size = "768x768",
-               .front = 4,
-               .silhouette = 8,
-               .guard = 1,
-               .uniform = UINT32_MAX};
+    texts t = {.engines = "golden,model,rtl", .size = "768x768", .surface = HS_SURFACE_DEFAULTS};
     const hs_option option[] = {
         {"orbit", 'n', HS_OPTION_NUMBER, "N", &r->orbit, 1, 65536, &t.orbit_given,
          "N viewpoints on a circle around the mesh (1)"},
@@ -160,14 +138,14 @@ static enum hs_parsed parse(hs_run_request *r, int argc, char **argv, hs_error *
          "viewpoints from a file: `matrix` or `look` lines"},
         {"view", 0, HS_OPTION_NUMBER, "N", &r->only, 0, 65535, &t.only_given,
          "only view N of them, from 0"},
-        {"front", 'f', HS_OPTION_NUMBER, "DEPTH", &t.front, 0, HS_MAX_DEPTH, &t.front_given,
-         "steps for front faces in view (4)"},
-        {"silhouette", 's', HS_OPTION_NUMBER, "DEPTH", &t.silhouette, 0, HS_MAX_DEPTH,
-         &t.silhouette_given, "steps for faces at the silhouette (8)"},
-        {"guard", 'g', HS_OPTION_NUMBER, "0|1", &t.guard, 0, 1, NULL,
+        {"front", 'f', HS_OPTION_NUMBER, "DEPTH", &t.surface.front, 0, HS_MAX_DEPTH,
+         &t.surface.front_given, "steps for front faces in view (4)"},
+        {"silhouette", 's', HS_OPTION_NUMBER, "DEPTH", &t.surface.silhouette, 0, HS_MAX_DEPTH,
+         &t.surface.silhouette_given, "steps for faces at the silhouette (8)"},
+        {"guard", 'g', HS_OPTION_NUMBER, "0|1", &t.surface.guard, 0, 1, NULL,
          "refine the ring around selected faces as well (1)"},
-        {"uniform", 'u', HS_OPTION_NUMBER, "DEPTH", &t.uniform, 0, HS_MAX_DEPTH, NULL,
-         "so many steps everywhere, whatever the view shows"},
+        {"uniform", 'u', HS_OPTION_NUMBER, "DEPTH", &t.surface.uniform, 0, HS_MAX_DEPTH,
+         &t.surface.uniform_given, "so many steps everywhere, whatever the view shows"},
         {"min-edge-px", 0, HS_OPTION_TEXT, "PIXELS", &t.surface.min_edge, 0, 0, NULL,
          "leave faces alone whose edges are all shorter; depths\nthat are not given then are 24"},
         {"boundary", 'b', HS_OPTION_TEXT, "MODE", &t.surface.boundary, 0, 0, NULL,
@@ -222,17 +200,7 @@ static bool try_file(const char *path, hs_error *err) {
 static bool open_views(hs_run *run, hs_error *err) {
     const hs_run_request *r = run->request;
     const double aspect = (double)r->width / (double)r->height;
-    if (r->views ? !hs_views_read(&run->views, r->views, aspect, err)
-                 : !hs_views_orbit(&run->views, r->orbit, &run->mesh, aspect, err))
-        return false;
-    if (run->views.count == 0)
-        return hs_fail(err, HS_EXIT_VIEWS,
-                       "%.300s: no views; add a `look` or a `matrix` line, as in "
-                       "docs/command-line.md",
-                       r->views);
-    if (run->views.count > 65536)
-        return hs_fail(err, HS_EXIT_VIEWS, "%.300s: %u views; a stream numbers at most 65536",
-                       r->views, run->views.count);
+    if (!hs_views_open(&run->views, r->views, r->orbit, &run->mesh, aspect, err)) return false;
     if (r->only != UINT32_MAX && r->only >= run->views.count)
         return hs_fail(err, HS_EXIT_USAGE, "--view %u: there are views 0 to %u", r->only,
                        run->views.count - 1);

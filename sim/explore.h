@@ -58,8 +58,8 @@ enum {
     HS_EXPLORE_VERTICES,
     HS_EXPLORE_CYCLES,
     HS_EXPLORE_BOUND,
-    HS_EXPLORE_FIRST_FACE, /* cycles to the first face and to the trailer; 2^64 - 1: there is none
-                            */
+    HS_EXPLORE_FIRST_FACE, /* cycles to the first face and to the trailer; HS_NO_CYCLE: there is
+                              none */
     HS_EXPLORE_TRAILER,
     HS_EXPLORE_CONFLICTS,
     HS_EXPLORE_READ, /* bits, of all memories */

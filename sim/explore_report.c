@@ -7,8 +7,6 @@
 #include "explore.h"
 #include "file.h"
 
-static const char *const ACTIVITY[HS_ACTIVITIES] = {"busy", "starved", "blocked", "idle"};
-
 /* --- What follows from a row --------------------------------------------------------------------
  */
 static double ratio(uint64_t a, uint64_t b) {
@@ -39,12 +37,12 @@ static void write_head(const hs_explore_result *r, FILE *out) {
     if (r->clock > 0) fputs(",views_per_second", out);
     for (uint32_t s = 0; s < HS_STAGES; s++)
         for (uint32_t a = 0; a < HS_ACTIVITIES; a++)
-            fprintf(out, ",%s_%s", hs_stage_name(s), ACTIVITY[a]);
+            fprintf(out, ",%s_%s", hs_stage_name(s), hs_activity_name(a));
     fputc('\n', out);
 }
 
 static void write_cycles(FILE *out, uint64_t cycles) {
-    if (cycles == UINT64_MAX)
+    if (cycles == HS_NO_CYCLE)
         fputc(',', out);
     else
         fprintf(out, ",%" PRIu64, cycles);
@@ -84,7 +82,7 @@ bool hs_explore_write_csv(const hs_explore_result *r, const char *path, hs_error
 /* --- JSON ---------------------------------------------------------------------------------------
  */
 static json_t *count_or_null(uint64_t count) {
-    return count == UINT64_MAX ? json_null() : json_integer((json_int_t)count);
+    return count == HS_NO_CYCLE ? json_null() : json_integer((json_int_t)count);
 }
 
 static json_t *stages_of(const hs_explore_row *row) {
@@ -93,7 +91,7 @@ static json_t *stages_of(const hs_explore_row *row) {
         json_t *stage = json_object();
         for (uint32_t a = 0; a < HS_ACTIVITIES; a++)
             json_object_set_new(
-                stage, ACTIVITY[a],
+                stage, hs_activity_name(a),
                 json_integer((json_int_t)row->value[HS_EXPLORE_ACTIVITY + s * HS_ACTIVITIES + a]));
         json_object_set_new(stages, hs_stage_name(s), stage);
     }

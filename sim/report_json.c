@@ -79,12 +79,11 @@ static json_t *mesh_of(report *r, const hs_run *run) {
  */
 
 static json_t *stages_of(report *r, const hs_run_view *view, const hs_cycle_report *c) {
-    static const char *const activity[HS_ACTIVITIES] = {"busy", "starved", "blocked", "idle"};
     json_t *stages = json_object();
     for (uint32_t s = 0; s < HS_STAGES; s++) {
         json_t *stage = json_object();
-        for (int a = 0; a < HS_ACTIVITIES; a++)
-            set_count(r, stage, activity[a], c->activity[s][a]);
+        for (uint32_t a = 0; a < HS_ACTIVITIES; a++)
+            set_count(r, stage, hs_activity_name(a), c->activity[s][a]);
         set_count(r, stage, "items", c->items_in[s]);
         set_count(r, stage, "bound", view->bound.stage[s]);
         set(r, stages, hs_stage_name(s), stage);

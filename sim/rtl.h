@@ -48,7 +48,7 @@ uint32_t hs_rtl_architecture(const hs_rtl *rtl);
 uint64_t hs_rtl_cycle(const hs_rtl *rtl);
 
 /* The cycle, from the start of the last hs_rtl_run, in which a word of its output was taken;
- * UINT64_MAX if it did not send so many. */
+ * HS_NO_CYCLE if it did not send so many. */
 uint64_t hs_rtl_word_cycle(const hs_rtl *rtl, size_t word);
 
 #ifdef __cplusplus

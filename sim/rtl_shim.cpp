@@ -290,7 +290,7 @@ void hs_rtl_log(hs_rtl *rtl, hs_log *log) {
 
 uint64_t hs_rtl_word_cycle(const hs_rtl *rtl, size_t word) {
     const size_t beat = word / BEAT_WORDS;
-    return beat < rtl->beat_cycle.size() ? rtl->beat_cycle[beat] : UINT64_MAX;
+    return beat < rtl->beat_cycle.size() ? rtl->beat_cycle[beat] : HS_NO_CYCLE;
 }
 
 bool hs_rtl_trace(hs_rtl *rtl, const char *path, uint64_t first, uint64_t last, hs_error *err) {

@@ -73,7 +73,6 @@ enum { HS_RUN_COMPARISONS = 16 };
 
 /* Cycles from the first beat in to the beat out that holds the first face, and the trailer;
  * HS_NO_CYCLE where there is none. */
-#define HS_NO_CYCLE UINT64_MAX
 typedef struct hs_latency {
     uint64_t first_face, trailer;
 } hs_latency;
@@ -121,7 +120,7 @@ void hs_run_view_free(hs_run_view *view);
 bool hs_run_view_equal(const hs_run_view *view);
 
 /* Says on stderr what differs in a view and prints the command that runs it alone, with a waveform
- * of the cycles around the difference. cycle: from the view's start; UINT64_MAX: unknown. */
+ * of the cycles around the difference. cycle: from the view's start; HS_NO_CYCLE: unknown. */
 void hs_run_print_rerun(const hs_run *run, uint32_t number, uint64_t cycle);
 
 /* The table on run->table: a head, a line a view, totals. */

@@ -215,7 +215,7 @@ static void print_word(const char *word) {
 void hs_run_print_rerun(const hs_run *run, uint32_t number, uint64_t cycle) {
     const hs_run_request *r = run->request;
     fprintf(stderr, "to run this view alone%s:\n  build/halfstep run",
-            cycle == UINT64_MAX ? "" : ", with a waveform of the cycles around");
+            cycle == HS_NO_CYCLE ? "" : ", with a waveform of the cycles around");
     print_word(r->mesh);
     if (r->views) {
         fputs(" --views", stderr);
@@ -249,7 +249,7 @@ void hs_run_print_rerun(const hs_run *run, uint32_t number, uint64_t cycle) {
         fprintf(stderr, " --stalls %u,%u", r->stalls.input, r->stalls.output);
     fprintf(stderr, " --seed %u --max-vertices %u --max-quads %u", r->stalls.seed,
             r->limits.vertices, r->limits.quads);
-    if (cycle != UINT64_MAX)
+    if (cycle != HS_NO_CYCLE)
         fprintf(stderr, " --wave view-%03u.fst --wave-cycles %llu:%llu", number,
                 (unsigned long long)(cycle < 200 ? 0 : cycle - 200),
                 (unsigned long long)(cycle + 200));

@@ -54,18 +54,18 @@ static bool run_golden(work *w, hs_error *err) {
     return true;
 }
 
+/* The cycle in which a pipeline's word left; HS_NO_CYCLE: it has no clock, or sent no such word. */
+static uint64_t word_cycle(const work *w, enum hs_engine engine, size_t word) {
+    return engine == HS_ENGINE_rtl     ? hs_rtl_word_cycle(w->run->rtl, word)
+           : engine == HS_ENGINE_model ? hs_model_word_cycle(w->run->model, word)
+                                       : HS_NO_CYCLE;
+}
+
 /* From the packet's first beat to the beat with its first record of a kind. */
 static uint64_t record_latency(const work *w, enum hs_engine engine, uint32_t kind) {
-    const hs_packet *packet = &w->packet[engine];
     const hs_cycle_report *c = &w->view->cycles[engine];
-    for (size_t at = 0; at + 4 <= packet->words; at += 4)
-        if (packet->word[at] >> 20 == hs_tag(kind, 0) >> 20) {
-            const uint64_t cycle = engine == HS_ENGINE_model
-                                       ? hs_model_word_cycle(w->run->model, at)
-                                       : hs_rtl_word_cycle(w->run->rtl, at);
-            return c->begin + cycle - c->start;
-        }
-    return HS_NO_CYCLE;
+    const size_t at = hs_packet_find(&w->packet[engine], kind);
+    return at == SIZE_MAX ? HS_NO_CYCLE : c->begin + word_cycle(w, engine, at) - c->start;
 }
 
 static void measure_latency(work *w, enum hs_engine engine) {
@@ -183,13 +183,6 @@ static void add_comparison(hs_run_view *view, enum hs_engine a, enum hs_engine b
     view->comparison[view->comparisons++] = (hs_comparison){a, b, what, compared, different};
 }
 
-/* The cycle in which a pipeline's word left; UINT64_MAX: it has no clock, or sent no such word. */
-static uint64_t word_cycle(const work *w, enum hs_engine engine, size_t word) {
-    return engine == HS_ENGINE_rtl     ? hs_rtl_word_cycle(w->run->rtl, word)
-           : engine == HS_ENGINE_model ? hs_model_word_cycle(w->run->model, word)
-                                       : UINT64_MAX;
-}
-
 /* The output words of two pipelines. */
 static bool compare_words(work *w, enum hs_engine a, enum hs_engine b) {
     const hs_packet *expected = &w->packet[a], *actual = &w->packet[b];
@@ -203,7 +196,7 @@ static bool compare_words(work *w, enum hs_engine a, enum hs_engine b) {
     fprintf(stderr, "view %u: %s and %s differ in %llu of %llu words, first in\n  %s\n",
             w->view->number, hs_engine_name(b), hs_engine_name(a),
             (unsigned long long)words.different, (unsigned long long)words.compared, text);
-    if (cycle != UINT64_MAX)
+    if (cycle != HS_NO_CYCLE)
         fprintf(stderr, "  which left in cycle %llu of the view\n", (unsigned long long)cycle);
     hs_run_print_rerun(w->run, w->view->number, cycle);
     return false;
@@ -232,8 +225,7 @@ static void compare_cycles(work *w) {
     const bool counted = hs_cycle_report_equal(
         &view->cycles[HS_ENGINE_rtl], &view->cycles[HS_ENGINE_model], counter, sizeof counter);
     add_comparison(view, HS_ENGINE_model, HS_ENGINE_rtl, "transactions", c.compared, c.different);
-    add_comparison(view, HS_ENGINE_model, HS_ENGINE_rtl, "counters",
-                   (uint64_t)HS_STAGES * (HS_ACTIVITIES + 2) + 4, !counted);
+    add_comparison(view, HS_ENGINE_model, HS_ENGINE_rtl, "counters", HS_REPORT_COUNTERS, !counted);
     if (c.different == 0 && counted) return;
     hs_progress_clear(&w->run->progress);
     if (c.different)
@@ -242,7 +234,7 @@ static void compare_cycles(work *w) {
             view->number, (unsigned long long)c.different, (unsigned long long)c.compared, c.text);
     if (!counted)
         fprintf(stderr, "view %u: rtl and model count differently: %s\n", view->number, counter);
-    hs_run_print_rerun(w->run, view->number, c.different ? c.cycle : UINT64_MAX);
+    hs_run_print_rerun(w->run, view->number, c.different ? c.cycle : HS_NO_CYCLE);
 }
 
 static void compare_reference(work *w) {
@@ -260,7 +252,7 @@ static void compare_reference(work *w) {
             "the bound; first\n  %s\n",
             view->number, c->different_faces, c->faces, c->different_vertices, c->vertices,
             c->beyond_bound, c->first);
-    hs_run_print_rerun(w->run, view->number, UINT64_MAX);
+    hs_run_print_rerun(w->run, view->number, HS_NO_CYCLE);
 }
 
 /* --- The view's folder --------------------------------------------------------------------------

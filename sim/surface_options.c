@@ -31,23 +31,42 @@ bool hs_pixels_parse(const char *text, uint16_t *sixteenths) {
     return true;
 }
 
-bool hs_surface_settings(hs_settings *settings, const hs_surface_texts *texts, uint32_t width,
-                         uint32_t height, hs_error *err) {
-    settings->boundary = HS_BOUNDARY_SMOOTH;
-    if (texts->boundary && !hs_boundary_parse(texts->boundary, &settings->boundary)) {
-        const char *nearest = hs_nearest(texts->boundary, BOUNDARY_NAME);
+/* The depths, when the least edge is known. */
+static bool set_depths(hs_settings *settings, const hs_surface_options *o, bool forced,
+                       hs_error *err) {
+    if (o->uniform_given) {
+        settings->uniform = true;
+        settings->uniform_depth = (uint8_t)o->uniform;
+        if (!o->front_given && !o->silhouette_given && !forced) return true;
+        return hs_fail(err, HS_EXIT_USAGE,
+                       "--uniform refines everything whatever the view; drop it, or drop --front, "
+                       "--silhouette and --force");
+    }
+    const bool safety = settings->min_edge != 0;
+    settings->front_depth = (uint8_t)(safety && !o->front_given ? HS_SAFETY_DEPTH : o->front);
+    settings->silhouette_depth =
+        (uint8_t)(safety && !o->silhouette_given ? HS_SAFETY_DEPTH : o->silhouette);
+    return true;
+}
+
+bool hs_surface_settings(hs_settings *settings, const hs_surface_options *o, bool forced,
+                         uint32_t width, uint32_t height, hs_error *err) {
+    *settings = (hs_settings){.guard = o->guard != 0,
+                              .limit = o->limit,
+                              .boundary = HS_BOUNDARY_SMOOTH,
+                              .width = (uint16_t)width,
+                              .height = (uint16_t)height};
+    if (o->boundary && !hs_boundary_parse(o->boundary, &settings->boundary)) {
+        const char *nearest = hs_nearest(o->boundary, BOUNDARY_NAME);
         return hs_fail(err, HS_EXIT_USAGE,
                        "--boundary is \"%.40s\"%s%s%s; it should be kept, smooth or edge-only",
-                       texts->boundary, nearest ? "; did you mean \"" : "", nearest ? nearest : "",
+                       o->boundary, nearest ? "; did you mean \"" : "", nearest ? nearest : "",
                        nearest ? "\"?" : "");
     }
-    settings->limit = texts->limit;
-    settings->width = (uint16_t)width;
-    settings->height = (uint16_t)height;
-    if (texts->min_edge && !hs_pixels_parse(texts->min_edge, &settings->min_edge))
+    if (o->min_edge && !hs_pixels_parse(o->min_edge, &settings->min_edge))
         return hs_fail(err, HS_EXIT_USAGE,
                        "--min-edge-px is \"%.40s\"; it should be a number of pixels, 0.0625 to "
                        "4095, as in 4 or 1.5",
-                       texts->min_edge);
-    return true;
+                       o->min_edge);
+    return set_depths(settings, o, forced, err);
 }

@@ -172,6 +172,22 @@ bool hs_views_orbit(hs_views *views, uint32_t count, const hs_mesh *mesh, double
     return true;
 }
 
+bool hs_views_open(hs_views *views, const char *path, uint32_t orbit, const hs_mesh *mesh,
+                   double aspect, hs_error *err) {
+    if (!path) return hs_views_orbit(views, orbit, mesh, aspect, err);
+    if (!hs_views_read(views, path, aspect, err)) return false;
+    if (views->count > 0 && views->count <= HS_VIEWS_MOST) return true;
+    if (views->count == 0)
+        hs_fail(err, HS_EXIT_VIEWS,
+                "%.300s: no views; add a `look` or a `matrix` line, as in docs/command-line.md",
+                path);
+    else
+        hs_fail(err, HS_EXIT_VIEWS, "%.300s: %u views; a stream numbers at most %d", path,
+                views->count, HS_VIEWS_MOST);
+    hs_views_free(views);
+    return false;
+}
+
 /* --- The words of a views file ---------------------------------------------------------------- */
 
 typedef struct reader {

@@ -32,6 +32,13 @@ bool hs_views_read(hs_views *views, const char *path, double aspect, hs_error *e
 bool hs_views_orbit(hs_views *views, uint32_t count, const hs_mesh *mesh, double aspect,
                     hs_error *err);
 
+/* As the options --views FILE and --orbit N ask for: what the file has, or if it is NULL, so many
+ * on the circle. Fails (HS_EXIT_VIEWS), with *views empty, if there are none, or more than
+ * HS_VIEWS_MOST. */
+enum { HS_VIEWS_MOST = 65536 }; /* as many as a stream numbers */
+bool hs_views_open(hs_views *views, const char *path, uint32_t orbit, const hs_mesh *mesh,
+                   double aspect, hs_error *err);
+
 /* A perspective view, as gluLookAt and gluPerspective define it, computed in double and rounded
  * once. fov is vertical, in degrees, in (0, 180). False (HS_EXIT_VIEWS) where no view exists:
  * eye = at, up along the line of sight, near >= far, near <= 0. */

@@ -7,22 +7,19 @@
  * The yardstick is the binary64 result. Whatever leaves in binary32 can at best be that, rounded
  * once: the first row.
  */
+#define PROGRAM "accuracy"
+
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "golden_state.h"
+#include "quit.h"
 #include "shape.h"
 #include "view.h"
 
 enum { DEPTH = 8, PIXELS = 1024 };
-
-static void quit_on(bool good, const hs_error *err) {
-    if (good) return;
-    fprintf(stderr, "accuracy: %s\n", err->text);
-    exit(err->code);
-}
 
 static void *zeros(size_t count, size_t size) {
     void *array = calloc(count + 1, size);

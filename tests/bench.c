@@ -16,27 +16,24 @@
  * OpenSubdiv in a new refiner (it has no other way), but malloc keeps what is freed, so that its
  * pages are there. OpenSubdiv's positions alone, without topology, tell how fast the machine is.
  */
+#define PROGRAM "bench"
+
 #include <malloc.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 #include "golden_state.h"
 #include "obj.h"
 #include "osd.h"
+#include "progress.h"
+#include "quit.h"
 #include "shape.h"
 
 #define MESH "../shared/meshes/bob_cc1_1336.obj"
 
 enum { ROUNDS = 9 };
 static const hs_limits limits = {1 << 24, 1 << 24};
-
-static double now(void) {
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 /* Seconds from the initial active mesh to the one of a generation. */
 typedef struct {
@@ -46,16 +43,10 @@ typedef struct {
 
 static void press(void *context, const hs_state *s) {
     stopwatch *w = context;
-    if (s->generation == 0) w->start = now();
+    if (s->generation == 0) w->start = hs_seconds();
     if (s->generation != w->generation) return;
-    w->end = now();
+    w->end = hs_seconds();
     w->faces = s->faces;
-}
-
-static void quit_on(bool good, const hs_error *err) {
-    if (good) return;
-    fprintf(stderr, "bench: %s\n", err->text);
-    exit(err->code);
 }
 
 static void run(hs_golden *golden, const hs_mesh *mesh, uint32_t depth, hs_packet *out) {
@@ -90,9 +81,9 @@ static double time_refinement(hs_golden *golden, const hs_mesh *mesh, uint32_t d
 }
 
 static double time_packet(hs_golden *golden, const hs_mesh *mesh, uint32_t depth, hs_packet *out) {
-    const double start = now();
+    const double start = hs_seconds();
     run(golden, mesh, depth, out);
-    return now() - start;
+    return hs_seconds() - start;
 }
 
 static void keep_least(double *least, double seconds) {

@@ -4,26 +4,16 @@
  * work; and how cycles grow with the mesh and the depth, beside the closed forms (sim/bound.h),
  * with golden's memory and views per second. out/bench/scaling.csv has the points of the plot.
  */
-#include <time.h>
+#define PROGRAM "bench"
 
 #include "bound.h"
 #include "file.h"
 #include "mesh_source.h"
+#include "progress.h"
+#include "quit.h"
 #include "rtl_samples.h"
 
 enum { SPEED_VIEWS = 8, MOST_RTL = 1 << 19, MOST_MODEL = 1 << 23 };
-
-static double now(void) {
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
-static void quit_on(bool good, const hs_error *err) {
-    if (good) return;
-    fprintf(stderr, "bench: %s\n", err->text);
-    exit(err->code);
-}
 
 /* --- Speed --------------------------------------------------------------------------------------
  */
@@ -42,17 +32,17 @@ static void measure_speed(bench *b, const char *source, const hs_settings *s, sp
     quit_on(hs_views_orbit(&views, SPEED_VIEWS, &mesh, 1, &err), &err);
     for (uint32_t v = 0; v < SPEED_VIEWS; v++) {
         quit_on(hs_packet_encode(&b->in, v, &mesh, views.view[v].matrix, s, &err), &err);
-        double start = now();
+        double start = hs_seconds();
         quit_on(hs_golden_run(b->golden, &b->in, &b->expected, &b->golden_report, &err), &err);
-        sum->golden += now() - start;
-        start = now();
+        sum->golden += hs_seconds() - start;
+        start = hs_seconds();
         quit_on(hs_model_run(b->model, &b->in, no_stalls, &b->modelled, &b->modelled_report,
                              &b->model_report, NULL, &err),
                 &err);
-        sum->model += now() - start;
-        start = now();
+        sum->model += hs_seconds() - start;
+        start = hs_seconds();
         quit_on(hs_rtl_run(b->rtl, &b->in, no_stalls, &b->actual, &b->rtl_report, &err), &err);
-        sum->rtl += now() - start;
+        sum->rtl += hs_seconds() - start;
         if (b->rtl_report.cycles != b->model_report.cycles) {
             fprintf(stderr, "bench: %s, view %u: rtl takes %llu cycles, model %llu\n", source, v,
                     (unsigned long long)b->rtl_report.cycles,
@@ -202,9 +192,9 @@ static void measure_point(scaling *c, const hs_mesh *mesh, const float matrix[16
     hs_cycle_report cycles, rtl;
     hs_error err;
     quit_on(hs_packet_encode(&in, 0, mesh, matrix, s, &err), &err);
-    const double start = now();
+    const double start = hs_seconds();
     quit_on(hs_golden_run(c->golden, &in, &out, &g, &err), &err);
-    const double seconds = now() - start;
+    const double seconds = hs_seconds() - start;
     const uint32_t depth = hs_view_depth(s, mesh);
     const uint64_t expected =
         hs_expected_of(s, depth, g.generation, g.generations, in.words, g.vertices);

@@ -29,6 +29,12 @@ static inline folder make_folder(void) {
     return f;
 }
 
+static inline int remove_folder(const folder *f) {
+    char line[100];
+    snprintf(line, sizeof line, "rm -r %s", f->path);
+    return system(line);
+}
+
 static inline char *inside(const folder *f, const char *name) {
     static char path[4][400];
     static unsigned turn;

@@ -15,8 +15,6 @@
 
 enum { SETTINGS = 8, SEEDS = 200, RANDOM_CASES = 400 };
 
-static const hs_boundary modes[] = {HS_BOUNDARY_KEPT, HS_BOUNDARY_SMOOTH, HS_BOUNDARY_EDGE_ONLY};
-
 static hs_settings setting(uint32_t k) {
     const hs_settings all[SETTINGS] = {
         adaptive(4, 8, true), uniform(2), adaptive(2, 5, false), uniform(3),
@@ -115,15 +113,7 @@ static void random_case(bench *b, uint32_t i, uint64_t *random, uint32_t *tags) 
     for (uint32_t f = 0; i % 5 == 0 && f < mesh.faces; f++)
         mesh.forced[f] = (uint8_t)random_below(random, 5);
     make_views(&mesh, view);
-    hs_settings s = random_below(random, 3) == 0
-                        ? uniform((uint8_t)random_below(random, 6))
-                        : adaptive((uint8_t)random_below(random, 5),
-                                   (uint8_t)random_below(random, 8), random_below(random, 3) != 0);
-    s.boundary = modes[random_below(random, 3)];
-    s.limit = random_below(random, 2);
-    if (random_below(random, 3) == 0) s.min_edge = (uint16_t)(1 + random_below(random, 2000));
-    s.width = (uint16_t)(1 + random_below(random, 2000));
-    s.height = (uint16_t)(1 + random_below(random, 2000));
+    const hs_settings s = any_settings(random);
     const hs_stalls stalls = {.seed = i,
                               .input = i % 3 ? 0 : 40,
                               .output = i % 2 ? 0 : (uint8_t)random_below(random, 96)};

@@ -5,6 +5,9 @@
  *
  *   parity-flight [PER CENT]
  */
+#define PROGRAM "parity"
+
+#include "quit.h"
 #include "rtl_samples.h"
 
 enum { STREAMS = 40, MOST = 24, PIPELINES = 8 };
@@ -15,12 +18,6 @@ typedef struct stream {
     hs_flight_view rtl_view[MOST], model_view[MOST];
     uint32_t count;
 } stream;
-
-static void quit_on(bool good, const hs_error *err) {
-    if (good) return;
-    fprintf(stderr, "parity: %s\n", err->text);
-    exit(err->code ? (int)err->code : HS_EXIT_DIFFERENT);
-}
 
 static void differ(uint32_t number, const char *what) {
     fprintf(stderr, "parity: stream %u: %s\n", number, what);

@@ -211,6 +211,22 @@ static inline uint32_t random_below(uint64_t *state, uint32_t limit) {
     return (uint32_t)((*state >> 32) * limit >> 32);
 }
 
+static const hs_boundary modes[] = {HS_BOUNDARY_KEPT, HS_BOUNDARY_SMOOTH, HS_BOUNDARY_EDGE_ONLY};
+
+/* Any combination of boundary mode, limit, guard, least edge, uniform or not. */
+static inline hs_settings any_settings(uint64_t *random) {
+    hs_settings s = random_below(random, 3) == 0
+                        ? uniform((uint8_t)random_below(random, 6))
+                        : adaptive((uint8_t)random_below(random, 5),
+                                   (uint8_t)random_below(random, 8), random_below(random, 3) != 0);
+    s.boundary = modes[random_below(random, 3)];
+    s.limit = random_below(random, 2);
+    if (random_below(random, 3) == 0) s.min_edge = (uint16_t)(1 + random_below(random, 2000));
+    s.width = (uint16_t)(1 + random_below(random, 2000));
+    s.height = (uint16_t)(1 + random_below(random, 2000));
+    return s;
+}
+
 /* --- Sixteen views of a mesh ---------------------------------------------------------------------
  */
 enum { VIEWS = 16 };

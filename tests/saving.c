@@ -4,23 +4,20 @@
  * the uniform surface (four Catmull-Clark levels, in doubles), for fixed depths and for least
  * edges, from several distances. `make saving` runs it; docs/refinement.md quotes it.
  */
+#define PROGRAM "saving"
+
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
 #include "golden.h"
+#include "quit.h"
 #include "render.h"
 #include "run_pictures.h"
 #include "shape.h"
 #include "view.h"
 
 enum { SIZE = 768, SAMPLES = 2, LEVELS = 4, VIEWS = 8, SAFETY = 24 };
-
-static void quit_on(bool good, const hs_error *err) {
-    if (good) return;
-    fprintf(stderr, "saving: %s\n", err->text);
-    exit(err->code);
-}
 
 typedef struct way {
     const char *name;

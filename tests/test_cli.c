@@ -82,9 +82,7 @@ static int set_up(void **state) {
 
 static int tear_down(void **state) {
     (void)state;
-    char line[200];
-    snprintf(line, sizeof line, "rm -r %s", place.path);
-    return system(line);
+    return remove_folder(&place);
 }
 
 /* --- Asking for help, and getting things wrong ---------------------------------------------------

@@ -73,9 +73,7 @@ static int set_up(void **state) {
 
 static int tear_down(void **state) {
     (void)state;
-    char line[200];
-    snprintf(line, sizeof line, "rm -r %s", place.path);
-    return system(line);
+    return remove_folder(&place);
 }
 
 /* --- Figures ------------------------------------------------------------------------------------
@@ -133,6 +131,18 @@ static void every_point_is_what_the_model_says(void **state) {
     free(text);
     hs_views_free(&views);
     hs_mesh_free(&mesh);
+}
+
+/* Depths that are not given: 24 with a least edge. */
+static void options_mean_what_they_mean_to_run(void **state) {
+    (void)state;
+    run_well("explore shape:torus --min-edge-px 8 --quiet --out @/edge");
+    run_well("explore shape:torus --min-edge-px 8 --front 24 --silhouette 24 --quiet --out @/deep");
+    assert_same_file("edge/explore.csv", "deep/explore.csv");
+    expect(HS_EXIT_USAGE, "explore shape:torus --uniform 2 --silhouette 3 --out @/x", "drop it");
+    expect(HS_EXIT_USAGE, "explore shape:torus --uniform 2 --force @/depths --out @/x", "drop it");
+    expect(HS_EXIT_USAGE, "explore shape:torus --views a --orbit 2 --out @/x",
+           "exclude each other");
 }
 
 static void every_line_of_the_csv_has_every_column(void **state) {
@@ -242,6 +252,7 @@ static void a_wrong_setting_says_what_would_be_right(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_point_is_what_the_model_says),
+        cmocka_unit_test(options_mean_what_they_mean_to_run),
         cmocka_unit_test(every_line_of_the_csv_has_every_column),
         cmocka_unit_test(a_torn_journal_is_mended_and_continued),
         cmocka_unit_test(killed_at_any_time_it_goes_on_where_it_was),

@@ -8,8 +8,6 @@
 
 #include "reference_shapes.h"
 
-static const hs_boundary modes[] = {HS_BOUNDARY_KEPT, HS_BOUNDARY_SMOOTH, HS_BOUNDARY_EDGE_ONLY};
-
 static void print_total(const bench *b) {
     print_message("%llu views, %llu transactions, %llu cycles: 0 differences\n",
                   (unsigned long long)b->views, (unsigned long long)b->transactions,

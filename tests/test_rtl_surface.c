@@ -8,22 +8,6 @@
 
 #include "reference_shapes.h"
 
-static const hs_boundary modes[] = {HS_BOUNDARY_KEPT, HS_BOUNDARY_SMOOTH, HS_BOUNDARY_EDGE_ONLY};
-
-/* Any combination of boundary mode, limit, guard, least edge, uniform or not. */
-static hs_settings any_settings(uint64_t *random) {
-    hs_settings s = random_below(random, 3) == 0
-                        ? uniform((uint8_t)random_below(random, 6))
-                        : adaptive((uint8_t)random_below(random, 5),
-                                   (uint8_t)random_below(random, 8), random_below(random, 3) != 0);
-    s.boundary = modes[random_below(random, 3)];
-    s.limit = random_below(random, 2);
-    if (random_below(random, 3) == 0) s.min_edge = (uint16_t)(1 + random_below(random, 2000));
-    s.width = (uint16_t)(1 + random_below(random, 2000));
-    s.height = (uint16_t)(1 + random_below(random, 2000));
-    return s;
-}
-
 static void describe(char *text, size_t size, const char *name, const hs_settings *s) {
     snprintf(text, size, "%s, %s %u/%u/%u, guard %d, mode %d, limit %d, least edge %u in %ux%u",
              name, s->uniform ? "uniform" : "adaptive", s->front_depth, s->silhouette_depth,
