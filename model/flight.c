@@ -29,6 +29,8 @@ struct hs_flight {
     hs_model_config config;
     pipeline pipeline[HS_MOST_VIEWS];
     ucontext_t main;
+    hs_flight_observer *done;
+    void *context;
     hs_output_port output;
 
     /* The stream */
@@ -62,6 +64,7 @@ static void work(void) {
     hs_flight *f = p->flight;
     p->good = hs_model_view(p->model, &f->in[p->view], &f->out[p->view], &f->report[p->view],
                             &p->cycles, &f->err);
+    if (p->good && f->done) f->done(f->context, p->view, p->model, &p->cycles);
     p->running = false;
     p->ready = p->taken + TO_READY;
     swapcontext(&p->context, &f->main);
@@ -171,6 +174,11 @@ void hs_flight_free(hs_flight *f) {
     }
     free(f->output.ready);
     free(f);
+}
+
+void hs_flight_observe(hs_flight *f, hs_flight_observer *done, void *context) {
+    f->done = done;
+    f->context = context;
 }
 
 bool hs_flight_run(hs_flight *f, const hs_packet *in, uint32_t count, hs_stalls stalls,

@@ -78,6 +78,14 @@ typedef struct hs_flight_view {
 hs_flight *hs_flight_new(hs_limits limits, hs_model_config config, hs_error *err);
 void hs_flight_free(hs_flight *flight);
 
+/* Calls done(context, view, model, cycles) whenever a view is complete: view counts the packets
+ * from 0; the model is the pipeline that it was in, whose traffic and words' cycles are the view's
+ * until done returns; cycles are told as hs_model_run tells them, at the pipeline's ports: of
+ * several in flight, collect adds a cycle to each beat. done may free the packet's answer. */
+typedef void hs_flight_observer(void *context, uint32_t view, const hs_model *model,
+                                const hs_cycle_report *cycles);
+void hs_flight_observe(hs_flight *flight, hs_flight_observer *done, void *context);
+
 /* Streams `count` packets in, one behind the other, and their answers out. log: one for each
  * pipeline, or NULL. *cycles: from the first beat offered to the last one out. */
 bool hs_flight_run(hs_flight *flight, const hs_packet *in, uint32_t count, hs_stalls stalls,

@@ -4,17 +4,13 @@
  * cores, and on as many machines as there are shards.
  */
 #include <math.h>
-#include <pthread.h>
 #include <stdlib.h>
-#include <string.h>
-#include <unistd.h>
 
 #include "commands.h"
-#include "explore.h"
+#include "explore_work.h"
 #include "file.h"
 #include "mesh_source.h"
 #include "options.h"
-#include "progress.h"
 #include "surface_options.h"
 
 static const hs_command COMMAND = {
@@ -32,7 +28,8 @@ static const hs_command COMMAND = {
         "      the third of eight parts; without --shard, the same command does what is missing\n"
         "      and puts all parts together\n\n"
         "Parameters: port (records of 128 bits in a beat), banks, window (items that compete for\n"
-        "them), lanes (words a cycle), latency (of a read), ops (that wait for emit).\n"
+        "them), lanes (words a cycle), latency (of a read), ops (that wait for emit), views (in\n"
+        "flight: all views then stream through in a row).\n"
         "What is done is kept in the folder: an interrupted run goes on where it was.\n"};
 
 typedef struct request {
@@ -121,156 +118,17 @@ static enum hs_parsed parse(request *r, int argc, char **argv, hs_error *err) {
     return complete(r, err) ? HS_PARSED : HS_PARSED_WRONG;
 }
 
-/* --- Workers ------------------------------------------------------------------------------------
- */
-typedef struct exploration {
-    const request *request;
-    hs_explore_space space;
-    hs_mesh mesh;
-    hs_views views;
-    hs_packet *packet; /* of every view */
-    uint32_t depth;
-    hs_explore_row *row;
-    uint64_t points, mine, done; /* in all; of this shard; of those */
-    hs_explore_journal journal;
-    hs_progress progress;
-    double start;
-    uint64_t started_with, next;
-    pthread_mutex_t lock;
-    bool failed;
-    hs_error err;
-} exploration;
-
-static bool is_mine(const exploration *e, uint64_t point) {
-    return point % e->request->shards == e->request->shard - 1;
-}
-
-/* The next point that is not done; false if there is none. Under the lock. */
-static bool take_point(exploration *e, uint64_t *point) {
-    while (e->next < e->points && (e->row[e->next].done || !is_mine(e, e->next)))
-        e->next++;
-    if (e->failed || e->next == e->points) return false;
-    *point = e->next++;
-    return true;
-}
-
-static uint64_t latency(const hs_model *model, const hs_cycle_report *c, const hs_packet *out,
-                        uint32_t kind) {
-    const size_t at = hs_packet_find(out, kind);
-    return at == SIZE_MAX ? HS_NO_CYCLE : c->begin + hs_model_word_cycle(model, at) - c->start;
-}
-
-static bool run_point(const exploration *e, hs_model *model, uint64_t point, hs_packet *out,
-                      hs_explore_row *row, hs_error *err) {
-    const hs_stalls none = {0};
-    const hs_packet *in = &e->packet[hs_explore_view(&e->space, point)];
-    hs_golden_report report;
-    hs_cycle_report c;
-    if (!hs_model_run(model, in, none, out, &report, &c, NULL, err)) return false;
-    const hs_bound bound = hs_bound_of(&e->request->settings, e->depth, report.generation,
-                                       report.generations, e->mesh.vertices, in->words, out->words);
-    const hs_model_traffic traffic = hs_model_traffic_of(model);
-    uint64_t *v = row->value;
-    row->done = true;
-    v[HS_EXPLORE_POINT] = point;
-    v[HS_EXPLORE_STATUS] = report.status;
-    v[HS_EXPLORE_FACES] = report.faces;
-    v[HS_EXPLORE_VERTICES] = report.vertices;
-    v[HS_EXPLORE_CYCLES] = c.cycles;
-    v[HS_EXPLORE_BOUND] = bound.total;
-    v[HS_EXPLORE_FIRST_FACE] = latency(model, &c, out, HS_RECORD_FACE);
-    v[HS_EXPLORE_TRAILER] = latency(model, &c, out, HS_RECORD_TRAILER);
-    v[HS_EXPLORE_CONFLICTS] = c.conflicts;
-    v[HS_EXPLORE_READ] = traffic.read;
-    v[HS_EXPLORE_WRITTEN] = traffic.written;
-    for (uint32_t s = 0; s < HS_STAGES; s++)
-        for (uint32_t a = 0; a < HS_ACTIVITIES; a++)
-            v[HS_EXPLORE_ACTIVITY + s * HS_ACTIVITIES + a] = c.activity[s][a];
-    return true;
-}
-
-static void show_progress(exploration *e) {
-    const double seconds = hs_seconds() - e->start;
-    const uint64_t now = e->done - e->started_with;
-    const double rate = seconds > 0 ? (double)now / seconds : 0;
-    hs_progress_show(&e->progress, "%llu of %llu points, %.0f a second, %.0f s left",
-                     (unsigned long long)e->done, (unsigned long long)e->mine, rate,
-                     rate > 0 ? (double)(e->mine - e->done) / rate : 0);
-}
-
-/* Behind a point. Under the lock. */
-static void keep_point(exploration *e, uint64_t point, const hs_explore_row *row, bool good,
-                       const hs_error *why) {
-    if (good && !e->failed && !hs_explore_journal_add(&e->journal, row, &e->err)) e->failed = true;
-    if (!good && !e->failed) {
-        e->failed = true;
-        e->err = *why;
-    }
-    if (e->failed) return;
-    e->row[point] = *row;
-    e->done++;
-    show_progress(e);
-}
-
-static void *work(void *context) {
-    exploration *e = context;
-    hs_model *model = NULL;
-    hs_model_config config = {0};
-    hs_packet out = {0};
-    uint64_t point;
-    pthread_mutex_lock(&e->lock);
-    while (take_point(e, &point)) {
-        pthread_mutex_unlock(&e->lock);
-        hs_error err = {0};
-        hs_explore_row row = {0};
-        const hs_model_config wanted = hs_explore_config(&e->space, point);
-        if (!model || memcmp(&wanted, &config, sizeof config) != 0) {
-            hs_model_free(model);
-            config = wanted;
-            model = hs_model_new(e->request->limits, config, &err);
-        }
-        const bool good = model && run_point(e, model, point, &out, &row, &err);
-        pthread_mutex_lock(&e->lock);
-        keep_point(e, point, &row, good, &err);
-    }
-    pthread_mutex_unlock(&e->lock);
-    hs_model_free(model);
-    hs_packet_free(&out);
-    return NULL;
-}
-
-static bool run_workers(exploration *e, hs_error *err) {
-    enum { MOST = 1024 };
-    pthread_t thread[MOST];
-    const long cores = sysconf(_SC_NPROCESSORS_ONLN);
-    uint32_t jobs = e->request->jobs ? e->request->jobs
-                    : cores > 0      ? (uint32_t)cores
-                                     : 1,
-             started = 0;
-    if (jobs > MOST) jobs = MOST;
-    if (jobs > e->mine - e->done) jobs = (uint32_t)(e->mine - e->done);
-    e->start = hs_seconds();
-    e->started_with = e->done;
-    while (started < jobs && pthread_create(&thread[started], NULL, work, e) == 0)
-        started++;
-    if (jobs && !started) work(e);
-    for (uint32_t i = 0; i < started; i++)
-        pthread_join(thread[i], NULL);
-    hs_progress_clear(&e->progress);
-    if (e->failed) *err = e->err;
-    return !e->failed;
-}
-
 /* --- The command --------------------------------------------------------------------------------
  */
 /* What is explored, in one number: the packets of all views, and the space. */
-static bool encode_views(exploration *e, uint32_t *fingerprint, hs_error *err) {
+static bool encode_views(hs_exploration *e, const request *r, uint32_t *fingerprint,
+                         hs_error *err) {
     e->packet = calloc(e->views.count, sizeof *e->packet);
     if (!e->packet) return hs_fail(err, HS_EXIT_INTERNAL, "no memory for the views");
     *fingerprint = 0;
     for (uint32_t v = 0; v < e->views.count; v++) {
         hs_packet *p = &e->packet[v];
-        if (!hs_packet_encode(p, v, &e->mesh, e->views.view[v].matrix, &e->request->settings, err))
+        if (!hs_packet_encode(p, v, &e->mesh, e->views.view[v].matrix, &r->settings, err))
             return false;
         /* Without its own CRC, behind which that of any packet is the same. */
         *fingerprint = hs_crc(*fingerprint, p->word, p->words - 1);
@@ -285,40 +143,33 @@ static bool encode_views(exploration *e, uint32_t *fingerprint, hs_error *err) {
     return true;
 }
 
-static bool make_space(exploration *e, hs_error *err) {
+static bool make_space(hs_exploration *e, const request *r, hs_error *err) {
     hs_explore_space_start(&e->space, e->views.count);
-    for (uint32_t i = 0; i < e->request->set.count; i++)
-        if (!hs_explore_set(&e->space, e->request->set.text[i], err)) return false;
+    for (uint32_t i = 0; i < r->set.count; i++)
+        if (!hs_explore_set(&e->space, r->set.text[i], err)) return false;
     e->points = hs_explore_points(&e->space);
     e->row = e->points < (uint64_t)1 << 32 ? calloc(e->points, sizeof *e->row) : NULL;
     return e->row || hs_fail(err, HS_EXIT_INTERNAL, "no memory for %llu points",
                              (unsigned long long)e->points);
 }
 
-static bool prepare(exploration *e, hs_error *err) {
-    const request *r = e->request;
+static bool prepare(hs_exploration *e, const request *r, hs_error *err) {
     uint32_t fingerprint = 0;
     if (!hs_mesh_open(&e->mesh, r->mesh, r->round_sharpness, r->quiet, err)) return false;
     if (r->force && !hs_mesh_force(&e->mesh, r->force, err)) return false;
     e->depth = hs_view_depth(&r->settings, &e->mesh);
     const double aspect = (double)r->width / (double)r->height;
     if (!hs_views_open(&e->views, r->views, r->orbit, &e->mesh, aspect, err) ||
-        !make_space(e, err) || !encode_views(e, &fingerprint, err))
+        !make_space(e, r, err) || !encode_views(e, r, &fingerprint, err))
         return false;
     if (!hs_folder_make(r->out, err) ||
         !hs_explore_journal_open(&e->journal, r->out, r->shard, r->shards, fingerprint, e->row,
                                  e->points, err))
         return false;
-    for (uint64_t point = 0; point < e->points; point++)
-        if (is_mine(e, point)) {
-            e->mine++;
-            e->done += e->row[point].done;
-        }
     return true;
 }
 
-static bool report(const exploration *e, hs_error *err) {
-    const request *r = e->request;
+static bool report(const hs_exploration *e, const request *r, hs_error *err) {
     if (r->shards > 1) {
         printf("part %u of %u: %llu points in %s; the same command without --shard puts the parts "
                "together\n",
@@ -345,10 +196,13 @@ int hs_command_explore(int argc, char **argv, hs_error *err) {
     const enum hs_parsed parsed = parse(&r, argc, argv, err);
     if (parsed == HS_PARSED_HELP) return HS_EXIT_OK;
     if (parsed == HS_PARSED_WRONG) return err->code;
-    exploration e = {.request = &r, .journal = {.file = -1}, .lock = PTHREAD_MUTEX_INITIALIZER};
-    hs_progress_start(&e.progress, r.quiet);
-    const bool good = prepare(&e, err) && run_workers(&e, err) && report(&e, err);
-    hs_progress_clear(&e.progress);
+    hs_exploration e = {.settings = &r.settings,
+                        .limits = r.limits,
+                        .shard = r.shard,
+                        .shards = r.shards,
+                        .journal = {.file = -1}};
+    const bool good =
+        prepare(&e, &r, err) && hs_explore_work(&e, r.jobs, r.quiet, err) && report(&e, &r, err);
     hs_explore_journal_close(&e.journal);
     for (uint32_t v = 0; e.packet && v < e.views.count; v++)
         hs_packet_free(&e.packet[v]);

@@ -1,13 +1,16 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
  * halfstep explore in parts: a space of micro-architectures, times views, is a row of points; each
- * point is a run of the cycle-level model. What is known of a point is a line in a journal, so that
- * an interrupted exploration goes on where it was, and many machines can share one.
+ * point is a run of the cycle-level model; those of an architecture with several views in flight
+ * are one run, in which the views stream through it in a row. What is known of a point is a line in
+ * a journal, so that an interrupted exploration goes on where it was, and many machines can share
+ * one.
  *
  *   explore_space.c    settings -> points
  *   explore_journal.c  points that are done, on disk
+ *   explore_work.c     workers
  *   explore_report.c   CSV, JSON, the table
- *   cmd_explore.c      options, workers
+ *   cmd_explore.c      options
  */
 #ifndef HS_EXPLORE_H
 #define HS_EXPLORE_H
@@ -20,7 +23,7 @@
 
 /* --- The space ----------------------------------------------------------------------------------
  */
-enum { HS_EXPLORE_NAMES = 6, HS_EXPLORE_VALUES = 16 };
+enum { HS_EXPLORE_NAMES = 7, HS_EXPLORE_VALUES = 16 };
 
 /* For each parameter of hs_model_config, by the name that --set knows, the values to try. */
 typedef struct hs_explore_space {
@@ -56,7 +59,8 @@ enum {
     HS_EXPLORE_STATUS,
     HS_EXPLORE_FACES,
     HS_EXPLORE_VERTICES,
-    HS_EXPLORE_CYCLES,
+    HS_EXPLORE_CYCLES, /* of the view: from its first word offered to its last one out */
+    HS_EXPLORE_STREAM, /* of all views in a row; 0: they were run apart */
     HS_EXPLORE_BOUND,
     HS_EXPLORE_FIRST_FACE, /* cycles to the first face and to the trailer; HS_NO_CYCLE: there is
                               none */
@@ -101,8 +105,9 @@ typedef struct hs_explore_result {
 bool hs_explore_write_csv(const hs_explore_result *result, const char *path, hs_error *err);
 bool hs_explore_write_json(const hs_explore_result *result, const char *path, hs_error *err);
 
-/* A line a configuration, all views together; * marks those that no other beats in both cycles and
- * memory. */
+/* A line a configuration, all views together, with the parameters that were set; * marks those that
+ * no other beats in both cycles and memory. The ratio: to the bound of
+ * as many pipelines as there are views in flight. */
 void hs_explore_print(const hs_explore_result *result, FILE *out);
 
 #endif

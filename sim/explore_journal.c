@@ -19,7 +19,7 @@
 enum { LINE = 22 * HS_EXPLORE_COLUMNS };
 
 static void head_line(char *text, size_t size, uint32_t fingerprint) {
-    snprintf(text, size, "halfstep explore %s %08" PRIx32 "\n", "1", fingerprint);
+    snprintf(text, size, "halfstep explore 2 %08" PRIx32 "\n", fingerprint);
 }
 
 /* Takes a line of values; false if it is no such line. */

@@ -133,6 +133,55 @@ static void every_point_is_what_the_model_says(void **state) {
     hs_mesh_free(&mesh);
 }
 
+/* The points of an architecture with several views in flight against a stream of its own. */
+static void views_in_a_row_are_what_the_model_says(void **state) {
+    (void)state;
+    enum { VIEWS = 5 };
+    hs_mesh mesh;
+    hs_views views;
+    hs_error err;
+    run_well("explore shape:torus --orbit 5 --set views=2 --clock 500 --quiet --out @/row");
+    char *text = text_of("row/explore.json");
+    json_t *root = json_loads(text, 0, NULL), *points = json_object_get(root, "points");
+    assert_int_equal(json_array_size(points), VIEWS);
+    assert_true(hs_shape_make(&mesh, "torus", 0, 0, &err));
+    assert_true(hs_views_orbit(&views, VIEWS, &mesh, 1, &err));
+    const hs_settings settings = {
+        .front_depth = 4, .silhouette_depth = 8, .guard = true, .boundary = HS_BOUNDARY_SMOOTH};
+    hs_packet in[VIEWS] = {0}, out[VIEWS] = {0};
+    hs_golden_report report[VIEWS];
+    hs_flight_view view[VIEWS];
+    hs_model_config config = HS_DEFAULT_CONFIG;
+    uint64_t cycles;
+    config.views = 2;
+    for (uint32_t v = 0; v < VIEWS; v++)
+        assert_true(hs_packet_encode(&in[v], v, &mesh, views.view[v].matrix, &settings, &err));
+    hs_flight *flight = hs_flight_new(HS_DEFAULT_LIMITS, config, &err);
+    assert_non_null(flight);
+    assert_true(
+        hs_flight_run(flight, in, VIEWS, (hs_stalls){0}, out, report, view, &cycles, NULL, &err));
+    for (uint32_t v = 0; v < VIEWS; v++) {
+        json_t *point = json_array_get(points, v);
+        const json_int_t own = json_integer_value(json_object_get(point, "cycles"));
+        assert_int_equal(json_integer_value(json_object_get(point, "view")), v);
+        assert_int_equal(json_integer_value(json_object_get(point, "stream_cycles")), cycles);
+        assert_int_equal(json_integer_value(json_object_get(point, "faces")), report[v].faces);
+        assert_int_equal(own + 1, view[v].end - view[v].start + 1); /* collect adds a cycle */
+        const json_int_t trailer = json_integer_value(json_object_get(point, "trailer"));
+        assert_in_range(trailer, own - 2, own - 1); /* it may end in a beat of its own */
+        hs_packet_free(&in[v]);
+        hs_packet_free(&out[v]);
+    }
+    const double row = (double)cycles / VIEWS, rate = json_real_value(json_object_get(
+                                                   json_array_get(points, 0), "views_per_second"));
+    assert_true(rate * row > 499e6 && rate * row < 501e6);
+    hs_flight_free(flight);
+    json_decref(root);
+    free(text);
+    hs_views_free(&views);
+    hs_mesh_free(&mesh);
+}
+
 /* Depths that are not given: 24 with a least edge. */
 static void options_mean_what_they_mean_to_run(void **state) {
     (void)state;
@@ -158,7 +207,7 @@ static void every_line_of_the_csv_has_every_column(void **state) {
         assert_int_equal(commas, columns);
     }
     assert_int_equal(lines, 1 + 8);
-    assert_int_equal(columns + 1, HS_EXPLORE_NAMES + 14 + HS_STAGES * HS_ACTIVITIES);
+    assert_int_equal(columns + 1, HS_EXPLORE_NAMES + 15 + HS_STAGES * HS_ACTIVITIES);
     free(text);
 }
 
@@ -198,6 +247,39 @@ static void killed_at_any_time_it_goes_on_where_it_was(void **state) {
     run_well(SPACE " --out @/cut");
     assert_same_file("cut/explore.csv", "uncut/explore.csv");
     print_message("killed %u times\n", killed);
+}
+
+/* Views in flight keep an architecture's points together, in whichever part. */
+static void parts_of_streams_are_the_whole(void **state) {
+    (void)state;
+#define STREAMS "explore shape:torus --orbit 3 --silhouette 5 --set views=1,2,3 --set banks=4,8 -q"
+    run_well(STREAMS " --out @/streams");
+    uint32_t lines = 0;
+    for (uint32_t part = 1; part <= 3; part++) {
+        char line[200];
+        snprintf(line, sizeof line, STREAMS " --out @/stream-parts --shard %u/3", part);
+        run_well(line);
+        char name[60];
+        snprintf(name, sizeof name, "stream-parts/shard-%u-of-3.csv", part);
+        char *text = text_of(name);
+        for (const char *c = text; *c; c++)
+            lines += *c == '\n';
+        free(text);
+    }
+    assert_int_equal(lines, 3 + 18); /* no point twice */
+    run_well(STREAMS " --out @/stream-parts");
+    assert_same_file("stream-parts/explore.csv", "streams/explore.csv");
+    /* A row that was cut off takes its stream along. */
+    char *text = text_of("streams/shard-1-of-1.csv");
+    for (size_t cut = strlen(text); cut > 0; cut = cut > 397 ? cut - 397 : 0) {
+        FILE *file = fopen(inside(&place, "streams/shard-1-of-1.csv"), "w");
+        assert_non_null(file);
+        fwrite(text, 1, cut, file);
+        fclose(file);
+        run_well(STREAMS " --out @/streams");
+        assert_same_file("stream-parts/explore.csv", "streams/explore.csv");
+    }
+    free(text);
 }
 
 static void parts_put_together_are_the_whole(void **state) {
@@ -252,10 +334,12 @@ static void a_wrong_setting_says_what_would_be_right(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_point_is_what_the_model_says),
+        cmocka_unit_test(views_in_a_row_are_what_the_model_says),
         cmocka_unit_test(options_mean_what_they_mean_to_run),
         cmocka_unit_test(every_line_of_the_csv_has_every_column),
         cmocka_unit_test(a_torn_journal_is_mended_and_continued),
         cmocka_unit_test(killed_at_any_time_it_goes_on_where_it_was),
+        cmocka_unit_test(parts_of_streams_are_the_whole),
         cmocka_unit_test(parts_put_together_are_the_whole),
         cmocka_unit_test(journals_of_something_else_or_in_use_are_left_alone),
         cmocka_unit_test(a_wrong_setting_says_what_would_be_right),
