@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "golden_state.h"
+#include "memory.h"
 
 enum { GENERATIONS = HS_MAX_DEPTH + 1 };
 
@@ -38,9 +39,9 @@ void hs_golden_free(hs_golden *golden) {
                             s->next_candidate, s->next_forced, s->sharp,       s->next_sharp,
                             s->stays,          s->crease,      s->ring};
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++)
-        free(arrays[i]);
+        hs_array_free(arrays[i]);
     for (size_t g = 0; g < GENERATIONS; g++)
-        free(golden->decision[g]);
+        hs_array_free(golden->decision[g]);
     free(golden);
 }
 
@@ -74,11 +75,13 @@ const hs_state *hs_golden_state(const hs_golden *golden) {
     return &golden->state;
 }
 
-/* Reallocates *(void **)array to count elements; the old array stays if there is no memory. */
+/* Reallocates *(void **)array to count elements; the old array stays if there is no memory. Its
+ * number is its place in the state: neighbours have different ones. */
 static bool resize(void *array, size_t count, size_t element) {
     void *old, *data;
     memcpy(&old, array, sizeof old);
-    data = realloc(old, count * element);
+    data =
+        hs_array_reallocate(old, count * element, (uint32_t)((uintptr_t)array / sizeof old % 32));
     if (!data) return false;
     memcpy(array, &data, sizeof data);
     // cppcheck-suppress memleak ; *array is its owner

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "cycles.h"
+#include "memory.h"
 
 void hs_log_clear(hs_log *log) {
     for (uint32_t p = 0; p < HS_PROBES; p++)
@@ -25,8 +26,8 @@ void hs_log_add(hs_log *log, uint32_t probe, uint64_t cycle, uint32_t item,
                 const uint32_t word[4]) {
     if (log->probe[probe].count == log->probe[probe].room) {
         const size_t room = log->probe[probe].room ? 2 * log->probe[probe].room : 4096;
-        hs_transaction *more =
-            realloc(log->probe[probe].transaction, room * sizeof *log->probe[probe].transaction);
+        hs_transaction *more = hs_reallocate(log->probe[probe].transaction,
+                                             room * sizeof *log->probe[probe].transaction);
         if (!more) {
             log->exhausted = true;
             return;

@@ -7,6 +7,8 @@
  */
 #include "stream.h"
 
+#include "memory.h"
+
 #include <assert.h>
 #include <stdlib.h>
 #include <string.h>
@@ -20,8 +22,9 @@ static bool reserve(hs_packet *packet, size_t words, hs_error *err) {
     size_t capacity = packet->capacity > SIZE_MAX / 2 ? words : 2 * packet->capacity;
     if (capacity < words) capacity = words;
     if (capacity < 64) capacity = 64;
-    uint32_t *word =
-        capacity > SIZE_MAX / sizeof *word ? NULL : realloc(packet->word, capacity * sizeof *word);
+    uint32_t *word = capacity > SIZE_MAX / sizeof *word
+                         ? NULL
+                         : hs_reallocate(packet->word, capacity * sizeof *word);
     if (!word) return hs_fail(err, HS_EXIT_INTERNAL, "no memory for a packet of %zu words", words);
     packet->word = word;
     packet->capacity = capacity;

@@ -107,7 +107,7 @@ static void keep_least_osd(double *least, double *positions, const hs_mesh *mesh
 
 static void compare_at(const hs_mesh *mesh, uint32_t levels) {
     double fresh = 0, osd_fresh = 0, warm = 0, osd_warm = 0, packet = 0, positions = 0;
-    const int rounds = levels < 5 ? ROUNDS : 3; /* a round takes seconds */
+    const int rounds = levels < 5 ? ROUNDS : 5; /* a round takes seconds */
     uint32_t faces = 0;
     keep_memory(false);
     for (int i = 0; i < rounds; i++) {
