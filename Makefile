@@ -85,13 +85,13 @@ test: $(BUILD)/halfstep $(TESTS) ## all tests; logs in build/test-logs
 
 # The tests that are C alone, in a build of their own. OSMesa keeps some memory for good.
 SANITIZER := -fsanitize=address,undefined -fno-sanitize-recover=undefined
-SANITIZED := golden golden_rules golden_hostile mesh obj file stream frame view shape picture render \
+SANITIZED := golden golden_rules golden_hostile memory mesh obj file stream frame view shape picture render \
              reference reference_creases reference_limit reference_replay
 sanitize: ## the tests of the C code under ASan and UBSan
 	+@$(MAKE) BUILD=$(BUILD)/sanitize CC="gcc $(SANITIZER)" CXX="g++ $(SANITIZER)" OPT=-O1 sanitized
 .PHONY: sanitize sanitized
 sanitized: $(SANITIZED:%=$(BUILD)/test_%)
-	@LSAN_OPTIONS=suppressions=tests/leaks.supp:print_suppressions=0 TEST_SECONDS=1200 tests/run $^
+	@ASAN_OPTIONS=allocator_may_return_null=1 LSAN_OPTIONS=suppressions=tests/leaks.supp:print_suppressions=0 TEST_SECONDS=1200 tests/run $^
 
 LINT_C := $(wildcard model/*.[ch] sim/*.[ch] tests/*.[ch])
 lint: rtl/hs_pkg.sv docs/reference.md ## Verilator, Yosys, clang-format, cppcheck, licence lines
