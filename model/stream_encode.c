@@ -7,12 +7,12 @@
  */
 #include "stream.h"
 
-#include "memory.h"
-
 #include <assert.h>
 #include <stdlib.h>
 #include <string.h>
 #include <zlib.h>
+
+#include "memory.h"
 
 /* --- Words ------------------------------------------------------------------------------------ */
 

@@ -162,11 +162,9 @@ static bool prepare(hs_exploration *e, const request *r, hs_error *err) {
     if (!hs_views_open(&e->views, r->views, r->orbit, &e->mesh, aspect, err) ||
         !make_space(e, r, err) || !encode_views(e, r, &fingerprint, err))
         return false;
-    if (!hs_folder_make(r->out, err) ||
-        !hs_explore_journal_open(&e->journal, r->out, r->shard, r->shards, fingerprint, e->row,
-                                 e->points, err))
-        return false;
-    return true;
+    return hs_folder_make(r->out, err) &&
+           hs_explore_journal_open(&e->journal, r->out, r->shard, r->shards, fingerprint, e->row,
+                                   e->points, err);
 }
 
 static bool report(const hs_exploration *e, const request *r, hs_error *err) {

@@ -106,8 +106,8 @@ bool hs_explore_write_csv(const hs_explore_result *result, const char *path, hs_
 bool hs_explore_write_json(const hs_explore_result *result, const char *path, hs_error *err);
 
 /* A line a configuration, all views together, with the parameters that were set; * marks those that
- * no other beats in both cycles and memory. The ratio: to the bound of
- * as many pipelines as there are views in flight. */
+ * no other beats in both cycles and memory. The ratio is to the bound of as many
+ * pipelines as there are views in flight. */
 void hs_explore_print(const hs_explore_result *result, FILE *out);
 
 #endif

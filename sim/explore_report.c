@@ -21,9 +21,8 @@ static double bytes_per_face(const hs_explore_row *row, uint32_t column) {
     return per_face(row, column) / 8;
 }
 
-/* Of all views of the architecture that a point belongs to. */
-static uint64_t stream_cycles(const hs_explore_result *r, uint64_t point) {
-    const uint64_t first = point - hs_explore_view(r->space, point);
+/* Of all views of the architecture whose first point this is. */
+static uint64_t stream_cycles(const hs_explore_result *r, uint64_t first) {
     if (r->row[first].value[HS_EXPLORE_STREAM]) return r->row[first].value[HS_EXPLORE_STREAM];
     uint64_t sum = 0;
     for (uint64_t p = first; p < first + r->space->views; p++)
@@ -62,7 +61,7 @@ static void write_cycles(FILE *out, uint64_t cycles) {
         fprintf(out, ",%" PRIu64, cycles);
 }
 
-static void write_row(const hs_explore_result *r, uint64_t point, FILE *out) {
+static void write_row(const hs_explore_result *r, uint64_t point, uint64_t stream, FILE *out) {
     const hs_explore_row *row = &r->row[point];
     const uint64_t *v = row->value;
     const hs_model_config config = hs_explore_config(r->space, point);
@@ -72,7 +71,7 @@ static void write_row(const hs_explore_result *r, uint64_t point, FILE *out) {
             "%" PRIu32 ",%s,%" PRIu64 ",%" PRIu64 ",%" PRIu64 ",%.6g,%" PRIu64 ",%" PRIu64 ",%.6g",
             hs_explore_view(r->space, point), hs_status_name((uint32_t)v[HS_EXPLORE_STATUS]),
             v[HS_EXPLORE_FACES], v[HS_EXPLORE_VERTICES], v[HS_EXPLORE_CYCLES],
-            per_face(row, HS_EXPLORE_CYCLES), stream_cycles(r, point), v[HS_EXPLORE_BOUND],
+            per_face(row, HS_EXPLORE_CYCLES), stream, v[HS_EXPLORE_BOUND],
             ratio(v[HS_EXPLORE_CYCLES], v[HS_EXPLORE_BOUND]));
     write_cycles(out, v[HS_EXPLORE_FIRST_FACE]);
     write_cycles(out, v[HS_EXPLORE_TRAILER]);
@@ -89,8 +88,12 @@ bool hs_explore_write_csv(const hs_explore_result *r, const char *path, hs_error
     hs_file file;
     if (!hs_file_create(&file, path, err)) return false;
     write_head(r, file.stream);
-    for (uint64_t point = 0; point < hs_explore_points(r->space); point++)
-        write_row(r, point, file.stream);
+    const uint64_t views = r->space->views, points = hs_explore_points(r->space);
+    for (uint64_t first = 0; first < points; first += views) {
+        const uint64_t stream = stream_cycles(r, first);
+        for (uint64_t point = first; point < first + views; point++)
+            write_row(r, point, stream, file.stream);
+    }
     return hs_file_commit(&file, err);
 }
 
@@ -113,7 +116,7 @@ static json_t *stages_of(const hs_explore_row *row) {
     return stages;
 }
 
-static json_t *point_of(const hs_explore_result *r, uint64_t point) {
+static json_t *point_of(const hs_explore_result *r, uint64_t point, uint64_t stream) {
     const hs_explore_row *row = &r->row[point];
     const uint64_t *v = row->value;
     const hs_model_config config = hs_explore_config(r->space, point);
@@ -125,8 +128,8 @@ static json_t *point_of(const hs_explore_result *r, uint64_t point) {
         "set", set, "view", (int)hs_explore_view(r->space, point), "status",
         hs_status_name((uint32_t)v[HS_EXPLORE_STATUS]), "faces", (json_int_t)v[HS_EXPLORE_FACES],
         "vertices", (json_int_t)v[HS_EXPLORE_VERTICES], "cycles", (json_int_t)v[HS_EXPLORE_CYCLES],
-        "cycles_per_face", per_face(row, HS_EXPLORE_CYCLES), "stream_cycles",
-        (json_int_t)stream_cycles(r, point), "bound", (json_int_t)v[HS_EXPLORE_BOUND], "ratio",
+        "cycles_per_face", per_face(row, HS_EXPLORE_CYCLES), "stream_cycles", (json_int_t)stream,
+        "bound", (json_int_t)v[HS_EXPLORE_BOUND], "ratio",
         ratio(v[HS_EXPLORE_CYCLES], v[HS_EXPLORE_BOUND]), "first_face",
         count_or_null(v[HS_EXPLORE_FIRST_FACE]), "trailer", count_or_null(v[HS_EXPLORE_TRAILER]),
         "conflicts", (json_int_t)v[HS_EXPLORE_CONFLICTS], "memory_bits",
@@ -142,8 +145,12 @@ bool hs_explore_write_json(const hs_explore_result *r, const char *path, hs_erro
     json_t *root = json_object(), *points = json_array();
     bool good = json_object_set_new(root, "mesh", json_string(r->mesh)) == 0;
     if (r->clock > 0) json_object_set_new(root, "clock_mhz", json_real(r->clock));
-    for (uint64_t point = 0; good && point < hs_explore_points(r->space); point++)
-        good = json_array_append_new(points, point_of(r, point)) == 0;
+    const uint64_t views = r->space->views, count = hs_explore_points(r->space);
+    for (uint64_t first = 0; first < count; first += views) {
+        const uint64_t stream = stream_cycles(r, first);
+        for (uint64_t point = first; good && point < first + views; point++)
+            good = json_array_append_new(points, point_of(r, point, stream)) == 0;
+    }
     good = json_object_set_new(root, "points", points) == 0 && good;
     hs_file file;
     if (!good) {

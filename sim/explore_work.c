@@ -105,7 +105,6 @@ static void fill_row(const hs_exploration *e, uint64_t point, const hs_model *mo
     v[HS_EXPLORE_FACES] = report->faces;
     v[HS_EXPLORE_VERTICES] = report->vertices;
     v[HS_EXPLORE_CYCLES] = c->cycles;
-    v[HS_EXPLORE_STREAM] = 0;
     v[HS_EXPLORE_BOUND] = bound.total;
     v[HS_EXPLORE_FIRST_FACE] = latency(model, c, out, HS_RECORD_FACE);
     v[HS_EXPLORE_TRAILER] = latency(model, c, out, HS_RECORD_TRAILER);
@@ -165,17 +164,15 @@ static bool run_stream(const hs_exploration *e, uint64_t first, hs_explore_row *
                 .row = row};
     uint64_t cycles = 0;
     hs_flight *flight = NULL;
-    bool good = s.out && s.report && s.at;
-    if (!good)
-        hs_fail(err, HS_EXIT_INTERNAL, "no memory for %u views in a row", views);
-    else
+    bool good = false;
+    if (s.out && s.report && s.at)
         flight = hs_flight_new(e->limits, hs_explore_config(&e->space, first), err);
+    else
+        hs_fail(err, HS_EXIT_INTERNAL, "no memory for %u views in a row", views);
     if (flight) {
         hs_flight_observe(flight, view_done, &s);
         good = hs_flight_run(flight, e->packet, views, none, s.out, s.report, s.at, &cycles, NULL,
                              err);
-    } else {
-        good = false;
     }
     for (uint32_t v = 0; v < views; v++) {
         row[v].value[HS_EXPLORE_STREAM] = cycles;
