@@ -10,16 +10,17 @@ endif
 
 # What a bare Debian 12 misses is installed before anything else is looked at: packages.mk is
 # included, so make brings it up to date first and then reads everything again.
-PACKAGES := gcc g++ make git verilator yosys libosmesa6-dev libosd-dev libcmocka-dev libjansson-dev \
+PACKAGES := gcc g++ clang make git verilator yosys libosmesa6-dev libosd-dev libcmocka-dev libjansson-dev \
             libpng-dev zlib1g-dev clang-format cppcheck
+# $(call INSTALL,NAMES): those of the packages that are missing, with sudo unless root.
+INSTALL = missing=; for p in $(1); do \
+    dpkg-query -W -f='$${Status}' $$p 2>/dev/null | grep -q 'ok installed' || missing="$$missing $$p"; done; \
+    if [ -n "$$missing" ]; then echo "installing the packages that are missing:$$missing"; \
+    test $$(id -u) = 0 || sudo=sudo; export DEBIAN_FRONTEND=noninteractive; \
+    $$sudo apt-get -qq update && $$sudo apt-get -qq install -y --no-install-recommends $$missing >/dev/null; fi
 $(BUILD)/packages.mk:
 	@mkdir -p $(@D)
-	@missing=; for p in $(PACKAGES); do \
-	    dpkg-query -W -f='$${Status}' $$p 2>/dev/null | grep -q 'ok installed' || missing="$$missing $$p"; done; \
-	if [ -n "$$missing" ]; then echo "installing the packages that are missing:$$missing"; \
-	    test $$(id -u) = 0 || sudo=sudo; \
-	    DEBIAN_FRONTEND=noninteractive; export DEBIAN_FRONTEND; \
-	    $$sudo apt-get -qq update && $$sudo apt-get -qq install -y --no-install-recommends $$missing >/dev/null; fi
+	@$(call INSTALL,$(PACKAGES))
 	@echo "# packages are there: $(PACKAGES)" >$@
 ifeq ($(filter clean help,$(MAKECMDGOALS)),)
 include $(BUILD)/packages.mk

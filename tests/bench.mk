@@ -8,26 +8,20 @@ $(BUILD)/bench: LIBS += -losdCPU
 # Explorations in parts: a Slurm job array on this machine, and GNU parallel.
 .PHONY: slurm
 slurm: $(BUILD)/halfstep ## an exploration as a Slurm job array, on a cluster started here for it (root)
-	@command -v slurmctld slurmd sbatch munged parallel >/dev/null 2>&1 && [ -x "$$(command -v slurmctld)" ] || { \
-	    DEBIAN_FRONTEND=noninteractive; export DEBIAN_FRONTEND; \
-	    apt-get -qq update && apt-get -qq install -y --no-install-recommends slurmctld slurmd slurm-client munge parallel >/dev/null; }
+	@$(call INSTALL,slurmctld slurmd slurm-client munge parallel)
 	@tests/slurm_loopback $<
 
 .PHONY: bench throughput baselines accuracy saving
-bench: $(BUILD)/bench $(BUILD)/bench_cycles $(BUILD)/test_rtl_throughput $(BUILD)/gnuplot.there ## tables: throughput, speed of rtl and model, golden beside OpenSubdiv, scaling
+bench: $(BUILD)/bench $(BUILD)/bench_cycles $(BUILD)/test_rtl_throughput ## tables: throughput, speed of rtl and model, golden beside OpenSubdiv, scaling
 	@$(BUILD)/test_rtl_throughput | grep -v '^\['
 	@echo; $(BUILD)/bench_cycles
+	@$(call INSTALL,gnuplot-nox)
 	@gnuplot tests/scaling.gp && echo "out/bench/scaling.png"
 	@echo; $(BUILD)/bench
 
-$(BUILD)/bench_cycles: $(BUILD)/tests/bench_cycles.o $(RTL_LIBS)
-	$(LINK_RTL) -lcmocka
-
-# For the plot alone, so that the tests need not have it.
-$(BUILD)/gnuplot.there:
-	@command -v gnuplot >/dev/null || { test $$(id -u) = 0 || sudo=sudo; \
-	    $$sudo apt-get -qq update && $$sudo apt-get -qq install -y --no-install-recommends gnuplot-nox >/dev/null; }
-	@touch $@
+# With the RTL at its fastest, laid out by a profile.
+$(BUILD)/bench_cycles: $(BUILD)/tests/bench_cycles.o $(PROFILED_LIBS)
+	$(CXX) $^ -o $@ $(LIBS) -pthread -lcmocka
 
 throughput: $(BUILD)/test_rtl_throughput ## cycles of views through the RTL beside their bounds
 	$<
