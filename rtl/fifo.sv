@@ -95,4 +95,8 @@ module fifo #(
   else $error("fifo: holds more words than it has room for");
 `endif
 
+`ifdef FORMAL
+`include "fifo.svh"
+`endif
+
 endmodule
