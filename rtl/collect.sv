@@ -60,4 +60,8 @@ module collect #(
     end
   endgenerate
 
+`ifdef FORMAL
+`include "collect.svh"
+`endif
+
 endmodule

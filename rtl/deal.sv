@@ -46,4 +46,8 @@ module deal #(
     end
   end
 
+`ifdef FORMAL
+`include "deal.svh"
+`endif
+
 endmodule
