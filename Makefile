@@ -81,8 +81,10 @@ run: $(BUILD)/halfstep ## the main job: hand and monster head, 8 views each, thr
 	@$< run shape:hand --orbit 8 --out out/hand --json out/hand/run.json
 	@$< run shape:monster --orbit 8 --out out/monster --json out/monster/run.json
 
+# The longest first, so that none of them runs alone at the end.
+LONGEST := $(addprefix $(BUILD)/test_,rtl reference_replay smallest)
 test: $(BUILD)/halfstep $(TESTS) ## all tests; logs in build/test-logs
-	@tests/run $(TESTS)
+	@tests/run $(LONGEST) $(filter-out $(LONGEST),$(TESTS))
 
 # The tests that are C alone, in a build of their own. OSMesa keeps some memory for good.
 SANITIZER := -fsanitize=address,undefined -fno-sanitize-recover=undefined
