@@ -60,7 +60,7 @@ module collect #(
     end
   endgenerate
 
-`ifdef FORMAL
+`ifdef HS_FORMAL
 `include "collect.svh"
 `endif
 

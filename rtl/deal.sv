@@ -46,7 +46,7 @@ module deal #(
     end
   end
 
-`ifdef FORMAL
+`ifdef HS_FORMAL
 `include "deal.svh"
 `endif
 

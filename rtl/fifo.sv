@@ -95,7 +95,7 @@ module fifo #(
   else $error("fifo: holds more words than it has room for");
 `endif
 
-`ifdef FORMAL
+`ifdef HS_FORMAL
 `include "fifo.svh"
 `endif
 

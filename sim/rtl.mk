@@ -7,13 +7,17 @@ VERILATOR_INCLUDE := $(shell verilator --getenv VERILATOR_ROOT 2>/dev/null)/incl
 # assertions stay armed: a broken rule stops the run. Those of data that must keep still cost a quarter of
 # the speed: they are armed in the tests of single modules (HS_ASSERT_DATA).
 VERILATE := verilator --cc -O3 -Wall --assert --x-initial unique --threads 1 --compiler clang
-# $(call COMPILE,CLASS,FLAGS): its C++ in $(@D), in CLASS__ALL.a, with the jobs of this make (+@). By clang, for the
-# processor at hand: three quarters of gcc's time, and faster code.
+# $(call COMPILE,CLASS,FLAGS): its C++ in $(@D), in CLASS__ALL.a, with the jobs of this make (+). By clang, for the
+# processor at hand: sooner done than by gcc, and faster.
 COMPILE = $(MAKE) -s -C $(@D) -f $(1).mk CXX=clang++ OPT_FAST="-O2 -march=native $(2)" OPT_SLOW=-O1 OPT_GLOBAL=-O2 \
           $(1)__ALL.a >/dev/null
 # $(call VERILATED,CLASS,ARGUMENTS): both steps, as the recipe of $(@D)/log.
-VERILATED = mkdir -p $(@D) && { $(VERILATE) --Mdir $(@D) --prefix $(1) $(2) >$@.part 2>&1 || { cat $@.part; exit 1; }; } && \
-            $(call COMPILE,$(1)) && mv $@.part $@
+define VERILATED
+@mkdir -p $(@D)
+@$(VERILATE) --Mdir $(@D) --prefix $(1) $(2) >$@.part 2>&1 || { cat $@.part; exit 1; }
++@$(call COMPILE,$(1))
+@mv $@.part $@
+endef
 VERILATED_FLAGS = $(CXXFLAGS) -isystem $(VERILATOR_INCLUDE) -isystem $(VERILATOR_INCLUDE)/vltstd
 
 # What every Verilated model is linked with.
@@ -29,7 +33,7 @@ RTL_DIR := $(BUILD)/verilated/halfstep
 PIPELINE := --trace-fst --output-split 20000 --top-module halfstep -f rtl/files.f sim/probes.sv
 
 $(RTL_DIR)/log: rtl/files.f $(wildcard rtl/*.sv) sim/probes.sv sim/rtl.mk
-	+@$(call VERILATED,Vhalfstep,$(PIPELINE))
+	$(call VERILATED,Vhalfstep,$(PIPELINE))
 
 $(RTL_DIR)/rtl_shim.o: sim/rtl_shim.cpp $(RTL_DIR)/log
 	$(CXX) $(VERILATED_FLAGS) -isystem $(@D) -c $< -o $@
@@ -52,7 +56,7 @@ flight   := -GVIEWS=3
 largest  := -GBANK_BITS=4 -GWINDOW_BITS=5 -GLANES=16 -GREAD_LATENCY=8 -GOPS=256
 
 $(patsubst %,$(BUILD)/verilated/%/log,$(ARCHITECTURES) flight): $(BUILD)/verilated/%/log: rtl/files.f $(wildcard rtl/*.sv) sim/probes.sv sim/rtl.mk
-	+@$(call VERILATED,Vhalfstep,$($*) $(PIPELINE))
+	$(call VERILATED,Vhalfstep,$($*) $(PIPELINE))
 
 $(patsubst %,$(BUILD)/verilated/%/rtl_shim.o,$(ARCHITECTURES) flight): $(BUILD)/verilated/%/rtl_shim.o: sim/rtl_shim.cpp $(BUILD)/verilated/%/log
 	$(CXX) $(VERILATED_FLAGS) -isystem $(@D) -c $< -o $@
@@ -151,7 +155,7 @@ $(BUILD)/test_rtl_shim: $(BUILD)/tests/test_rtl_shim.o $(BUILD)/tests/broken_rtl
 UNITS := check_twins classify divide emit fifo geometry registers select sharpness window
 
 $(UNITS:%=$(BUILD)/verilated/%/log): $(BUILD)/verilated/%/log: tests/%_top.sv $(wildcard rtl/*.sv) sim/rtl.mk
-	+@$(call VERILATED,V$*,+define+HS_ASSERT_DATA --top-module $*_top -y rtl rtl/hs_pkg.sv $<)
+	$(call VERILATED,V$*,+define+HS_ASSERT_DATA --top-module $*_top -y rtl rtl/hs_pkg.sv $<)
 
 $(UNITS:%=$(BUILD)/verilated/%/shim.o): $(BUILD)/verilated/%/shim.o: tests/%_shim.cpp $(BUILD)/verilated/%/log
 	$(CXX) $(VERILATED_FLAGS) -isystem $(@D) -c $< -o $@

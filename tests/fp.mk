@@ -4,23 +4,20 @@
 FP_SV  := $(addprefix rtl/,fp_add.sv fp_mul.sv transform.sv to_fixed.sv quantize.sv to_float.sv)
 FP_DIR := $(BUILD)/fp
 
-$(FP_DIR)/Vfp_top__ALL.a: $(FP_SV) tests/fp_top.sv
-	@mkdir -p $(@D)
-	verilator --cc --build -O3 -Wall --Mdir $(@D) --top fp_top -MAKEFLAGS "OPT_FAST=-O2" $^ >$(@D)/log \
-	    || { cat $(@D)/log; exit 1; }
-	$(MAKE) -s -C $(@D) -f Vfp_top.mk verilated.o verilated_threads.o
+$(FP_DIR)/log: $(FP_SV) tests/fp_top.sv sim/rtl.mk
+	$(call VERILATED,Vfp_top,--top-module fp_top $(filter %.sv,$^))
 
-$(FP_DIR)/fp_shim.o: tests/fp_shim.cpp tests/fp_shim.h $(FP_DIR)/Vfp_top__ALL.a
-	$(CXX) $(CXXFLAGS) -I$(FP_DIR) -isystem $$(verilator --getenv VERILATOR_ROOT)/include -c $< -o $@
+$(FP_DIR)/fp_shim.o: tests/fp_shim.cpp tests/fp_shim.h $(FP_DIR)/log
+	$(CXX) $(VERILATED_FLAGS) -isystem $(@D) -c $< -o $@
 
-FP_LIB := $(addprefix $(FP_DIR)/,fp_shim.o Vfp_top__ALL.a verilated.o verilated_threads.o)
-$(FP_DIR)/verilated.o $(FP_DIR)/verilated_threads.o: $(FP_DIR)/Vfp_top__ALL.a ;
+FP_LIB := $(FP_DIR)/fp_shim.o $(FP_DIR)/Vfp_top__ALL.a $(RUNTIME)
+$(FP_DIR)/Vfp_top__ALL.a: $(FP_DIR)/log ;
 
 $(BUILD)/test_fp: $(BUILD)/tests/test_fp.o $(FP_LIB)
-	$(CXX) $^ -o $@ -lcmocka -lm -pthread
+	$(CXX) $^ -o $@ -lcmocka -lz -lm -pthread
 
 $(BUILD)/fp_testfloat: $(BUILD)/tests/fp_testfloat.o $(FP_LIB)
-	$(CXX) $^ -o $@ -pthread
+	$(CXX) $^ -o $@ -lz -pthread
 
 # --- Berkeley TestFloat, which Debian ships inside qemu's source ------------------------------------
 # apt gets sources and lists of its own under build/: the machine's Debian mirror (whatever entry of

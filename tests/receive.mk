@@ -6,21 +6,16 @@ RECEIVE_SV    := $(addprefix rtl/,hs_pkg.sv crc32.sv unpack.sv receive_check.sv 
 RECEIVE_PORTS := 1 2 4
 RECEIVE_DIR   := $(BUILD)/receive
 RECEIVE_LIB   := $(foreach p,$(RECEIVE_PORTS),$(RECEIVE_DIR)/$p/Vreceive$p__ALL.a)
-RECEIVE_RUN   := $(addprefix $(RECEIVE_DIR)/1/,verilated.o verilated_threads.o)
 
-$(RECEIVE_LIB): $(RECEIVE_DIR)/%__ALL.a: $(RECEIVE_SV)
-	@mkdir -p $(@D)
-	verilator --cc --build -O3 -Wall --assert --x-assign unique --x-initial unique --Mdir $(@D) \
-	    --top receive --prefix $(*F) -GPORT_RECORDS=$(notdir $(@D)) -GVERTICES=512 -GQUADS=1024 \
-	    -MAKEFLAGS "OPT_FAST=-O2" $^ >$(@D)/log || { cat $(@D)/log; exit 1; }
-	$(MAKE) -s -C $(@D) -f $(*F).mk verilated.o verilated_threads.o
+$(RECEIVE_PORTS:%=$(RECEIVE_DIR)/%/log): $(RECEIVE_DIR)/%/log: $(RECEIVE_SV) sim/rtl.mk
+	$(call VERILATED,Vreceive$*,--x-assign unique --top-module receive -GPORT_RECORDS=$* -GVERTICES=512 -GQUADS=1024 \
+	    $(RECEIVE_SV))
 
-$(RECEIVE_RUN): $(firstword $(RECEIVE_LIB)) ;
+$(RECEIVE_LIB): $(RECEIVE_PORTS:%=$(RECEIVE_DIR)/%/log) ;
 
-$(RECEIVE_DIR)/receive_bench.o: tests/receive_bench.cpp tests/receive_bench.h $(RECEIVE_LIB)
-	$(CXX) $(CXXFLAGS) $(addprefix -I$(RECEIVE_DIR)/,$(RECEIVE_PORTS)) \
-	    -isystem $$(verilator --getenv VERILATOR_ROOT)/include -c $< -o $@
+$(RECEIVE_DIR)/receive_bench.o: tests/receive_bench.cpp tests/receive_bench.h $(RECEIVE_PORTS:%=$(RECEIVE_DIR)/%/log)
+	$(CXX) $(VERILATED_FLAGS) $(addprefix -isystem $(RECEIVE_DIR)/,$(RECEIVE_PORTS)) -c $< -o $@
 
 $(BUILD)/test_receive $(BUILD)/test_receive_hostile: $(BUILD)/test_%: $(BUILD)/tests/test_%.o \
-    $(RECEIVE_DIR)/receive_bench.o $(RECEIVE_LIB) $(RECEIVE_RUN) $(BUILD)/libhalfstep.a
+    $(RECEIVE_DIR)/receive_bench.o $(RECEIVE_LIB) $(RUNTIME) $(BUILD)/libhalfstep.a
 	$(CXX) $^ -o $@ -lcmocka -lm -lz -pthread

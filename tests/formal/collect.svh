@@ -3,16 +3,11 @@
 // Proof for collect.sv, inside of it: a beat that is taken shows at the output in the next cycle,
 // unchanged, and stays until it is taken there; nothing else shows; no pipeline waits for another twice.
 
-  logic f_started = 1'b0;
-  always_ff @(posedge clk_i) f_started <= 1'b1;
-  always_comb if (!f_started) assume (rst_i);
+`include "reset.svh"
+`include "turns.svh"
 
-  // The pipeline that is followed.
-  (* anyconst *) logic [2:0] f_who;
-  always_comb assume (32'(f_who) < VIEWS);
-  logic [VIEWS-1:0] f_mine, f_taken;
+  logic [VIEWS-1:0] f_taken;
   logic [WIDTH-1:0] f_offer;
-  assign f_mine  = VIEWS'(1) << f_who;
   assign f_taken = in_valid_i & in_ready_o;
   assign f_offer = in_data_i[WIDTH*32'(f_who)+:WIDTH];
 
@@ -47,18 +42,6 @@
     if (f_started && !rst_i) begin
       if ((in_valid_i & f_mine) != '0) assert ((f_taken & f_passed) == '0);
       assert ((f_passed & f_mine) == '0);
-      for (int p = 0; p < VIEWS; p++) if (f_passed[p]) assert (f_between(3'(p)));
+      for (int p = 0; p < VIEWS; p++) if (f_passed[p]) assert (f_between(g_turns.at_q, 3'(p)));
     end
   end
-
-  // p is behind the followed pipeline and not behind the latest one, in turn.
-  function automatic logic f_between(input logic [2:0] p);
-    logic [3:0] latest;
-    integer k;
-    begin
-      latest = '0;
-      for (k = 0; k < VIEWS; k = k + 1) if (g_turns.at_q[k]) latest = 4'(k);
-      f_between = (4'(p) + (p < f_who ? 4'(VIEWS) : 4'd0)) <=
-          (latest + (latest < 4'(f_who) ? 4'(VIEWS) : 4'd0)) && latest != 4'(f_who);
-    end
-  endfunction

@@ -3,16 +3,12 @@
 // Proof for deal.sv, inside of it: a beat goes to exactly one pipeline, in the cycle in which it is
 // taken; the beats of a packet to the same one; and no pipeline is passed over for another twice.
 
-  logic f_started = 1'b0;
-  always_ff @(posedge clk_i) f_started <= 1'b1;
-  always_comb if (!f_started) assume (rst_i);
+`include "reset.svh"
+`include "turns.svh"
 
-  // The pipeline that is followed, and who has the packet that is open.
-  (* anyconst *) logic [2:0] f_who;
-  always_comb assume (32'(f_who) < VIEWS);
-  logic [VIEWS-1:0] f_mine, f_owner;
+  // Who has the packet that is open.
+  logic [VIEWS-1:0] f_owner;
   logic f_within = 1'b0;
-  assign f_mine = VIEWS'(1) << f_who;
 
   // Packets that began elsewhere while the followed one was ready: each other pipeline has one at most.
   logic [VIEWS-1:0] f_passed = '0;
@@ -48,18 +44,5 @@
       // What makes that inductive: those that passed lie between the followed one and the latest.
       assert ((f_passed & f_mine) == '0);
       for (int p = 0; p < VIEWS; p++)
-        if (f_passed[p])
-          assert (f_between(3'(p)));
+        if (f_passed[p]) assert (f_between(at_q, 3'(p)));
     end
-
-  // p is behind the followed pipeline and not behind the latest one, in turn.
-  function automatic logic f_between(input logic [2:0] p);
-    logic [3:0] latest;
-    integer k;
-    begin
-      latest = '0;
-      for (k = 0; k < VIEWS; k = k + 1) if (at_q[k]) latest = 4'(k);
-      f_between = (4'(p) + (p < f_who ? 4'(VIEWS) : 4'd0)) <=
-          (latest + (latest < 4'(f_who) ? 4'(VIEWS) : 4'd0)) && latest != 4'(f_who);
-    end
-  endfunction

@@ -3,9 +3,7 @@
 // Proof for fifo.sv, inside of it: one word, whichever, is followed from its taking to its giving. As
 // it may be any, none is lost, doubled, changed or overtaken.
 
-  logic f_started = 1'b0;
-  always_ff @(posedge clk_i) f_started <= 1'b1;
-  always_comb if (!f_started) assume (rst_i);
+`include "reset.svh"
 
   (* anyseq *) logic f_choose;
   logic f_inside = 1'b0, f_given = 1'b0;
