@@ -73,7 +73,7 @@ $(BUILD)/tests/osd.o: tests/osd.cpp
 $(OSD_USERS): $(BUILD)/tests/osd.o
 $(OSD_USERS): LIBS += -losdCPU
 
-include sim/rtl.mk sim/pictures.mk tests/fp.mk tests/receive.mk tests/bench.mk tests/formal.mk
+include sim/rtl.mk sim/pictures.mk $(wildcard tests/*.mk)
 
 # --- What there is to do --------------------------------------------------------------------------
 .PHONY: run test lint format clean help
