@@ -1,13 +1,50 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
- * Exact integer arithmetic of the masks: every mask is one exact rational, rounded once, to
- * nearest, ties to even (RNE). docs/arithmetic.md gives the widths and why nothing overflows.
+ * The arithmetic of golden: binary32 at both ends, exact integers between them. Every result is one
+ * exact number, rounded once, to nearest, ties to even (RNE). docs/arithmetic.md gives the widths
+ * and why nothing overflows. The build forbids contraction.
  */
 #ifndef HS_ARITHMETIC_H
 #define HS_ARITHMETIC_H
 
+#include <math.h>
 #include <stdint.h>
 #include <string.h>
+
+/* --- From binary32 to a block and back -------------------------------------------------------- */
+
+/* A row of the matrix times a vertex, every operation rounded, subnormals included. Infinite or NaN
+ * if one of them overflows. */
+static inline float hs_row_times(const float m[4], const float p[4]) {
+    return (m[0] * p[0] + m[1] * p[1]) + (m[2] * p[2] + m[3] * p[3]);
+}
+
+/* E of a block with this largest magnitude: the smallest integer with magnitude < 2^E, -148 to 128;
+ * 0 if it is 0. frexp gives c = m 2^e with m in [1/2, 1), subnormals included. */
+static inline int32_t hs_block_exponent(float magnitude) {
+    int e = 0;
+    if (magnitude > 0) frexpf(magnitude, &e);
+    return e;
+}
+
+/* q = RNE(c 2^(30-E)), |c| < 2^E. Exact: scaling a float by a power of two in double loses nothing,
+ * and lrint rounds as RNE does in the default rounding mode. */
+static inline int32_t hs_to_fixed(float c, int32_t exponent) {
+    return (int32_t)lrint(ldexp((double)c, 30 - exponent));
+}
+
+/* What a position of 1 is worth: 2^(E-30), E from -148 to 128. */
+static inline double hs_unit(int32_t exponent) {
+    return ldexp(1, exponent - 30);
+}
+
+/* q 2^(E-30), rounded once, from hs_unit(E). 32 bits fit a double, and 2^(E-30) is a normal one:
+ * the product is exact, and the conversion rounds. */
+static inline float hs_to_float(int32_t q, double unit) {
+    return (float)((double)q * unit);
+}
+
+/* --- The masks -------------------------------------------------------------------------------- */
 
 /* RNE(x / 2^s), s from 1 to 62, |x| < 2^62. Adding half a unit less one, and one more where the
  * quotient would be odd, makes the floor of the shift round as RNE does, negative x included. */
@@ -75,6 +112,8 @@ static inline int32_t hs_limit_mask(int64_t ring, int32_t s, uint32_t n) {
 static inline int32_t hs_crease_limit_mask(int64_t ends, int32_t s) {
     return (int32_t)hs_rne_divide(ends + 4 * (int64_t)s, 6);
 }
+
+/* --- Comparisons ------------------------------------------------------------------------------ */
 
 /* True if p and q are before the eye and |p/p_w - q/q_w| size/2 < edge/16 pixels in a picture of
  * that size, where p, q are one coordinate of the two: |p q_w - q p_w| 8 size < edge p_w q_w. The

@@ -3,9 +3,9 @@
  * emit: the records of the output packet (docs/stream.md), in the order in which smooth and split
  * send vertices and faces. A position leaves as c = q 2^(E-30), rounded once to binary32.
  */
-#include <math.h>
 #include <string.h>
 
+#include "arithmetic.h"
 #include "golden_state.h"
 
 static void append(hs_state *s, const uint32_t record[4]) {
@@ -31,10 +31,8 @@ static void pack_numbers(uint32_t record[4], const uint32_t *number, uint32_t co
         pack_number(record, k, number[k]);
 }
 
-/* 32 bits fit a double, and 2^(E-30) is a normal one: the product is exact, or its one rounding is
- * that of the conversion. */
 static uint32_t float_bits(int32_t q, double unit) {
-    const float c = (float)((double)q * unit);
+    const float c = hs_to_float(q, unit);
     uint32_t bits;
     memcpy(&bits, &c, sizeof bits);
     return bits;
@@ -44,7 +42,7 @@ void hs_emit_header(hs_state *s) {
     const uint32_t record[4] = {hs_tag(HS_RECORD_HEADER, HS_STREAM_VERSION), s->out->view,
                                 (uint32_t)s->exponent, 0};
     append(s, record);
-    s->unit = ldexp(1, s->exponent - 30);
+    s->unit = hs_unit(s->exponent);
 }
 
 /* Adds the vertex to the open group, or opens one: consecutive vertices of one generation go out

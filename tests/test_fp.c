@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
- * The floating-point modules of rtl/ against the arithmetic of the machine that runs this test.
- * References: float operations (IEEE-754, no contraction) for fp_add, fp_mul and transform;
- * double, which holds every number concerned exactly, and one final rounding, for to_fixed and
- * to_float.
+ * The floating-point modules of rtl/, and golden's functions, against the arithmetic of the machine
+ * that runs this test. References: float operations (IEEE-754, no contraction) for fp_add, fp_mul
+ * and transform; double, which holds every number concerned exactly, and one final rounding, for
+ * to_fixed and to_float.
  */
 #include <math.h>
 #include <setjmp.h>
@@ -16,30 +16,12 @@
 
 #include <cmocka.h>
 
+#include "arithmetic.h"
+#include "fp_operands.h"
 #include "fp_shim.h"
 
 /* --- Bits and floats ---------------------------------------------------------------------------
  */
-
-static float float_of(uint32_t bits) {
-    float value;
-    memcpy(&value, &bits, sizeof value);
-    return value;
-}
-
-static uint32_t bits_of(float value) {
-    uint32_t bits;
-    memcpy(&bits, &value, sizeof bits);
-    return bits;
-}
-
-static bool is_nan(uint32_t bits) {
-    return (bits & 0x7fffffff) > 0x7f800000;
-}
-
-static bool is_finite(uint32_t bits) {
-    return (bits & 0x7f800000) != 0x7f800000;
-}
 
 /* The contract of fp_add and fp_mul: the host's bits, but every NaN is 7fc00000. */
 static uint32_t canonical(float value) {
@@ -55,83 +37,6 @@ static uint32_t host_add(uint32_t a, uint32_t b) {
 static uint32_t host_mul(uint32_t a, uint32_t b) {
     volatile float product = float_of(a) * float_of(b);
     return canonical(product);
-}
-
-/* --- Random operands ---------------------------------------------------------------------------
- */
-
-/* xorshift64*, high half. */
-static uint32_t random_bits(uint64_t *state) {
-    *state ^= *state >> 12;
-    *state ^= *state << 25;
-    *state ^= *state >> 27;
-    return (uint32_t)((*state * 0x2545f4914f6cdd1dull) >> 32);
-}
-
-/* 0 to n-1. */
-static uint32_t random_below(uint64_t *state, uint32_t n) {
-    return (uint32_t)(((uint64_t)random_bits(state) * n) >> 32);
-}
-
-static uint32_t assemble(uint32_t sign, int exponent, uint32_t fraction) {
-    int clamped = exponent < 0 ? 0 : exponent > 254 ? 254 : exponent;
-    return (sign & 1) << 31 | (uint32_t)clamped << 23 | (fraction & 0x7fffff);
-}
-
-/* A fraction whose low bits are often all zeros or all ones, which is where rounding is decided. */
-static uint32_t random_fraction(uint64_t *state) {
-    uint32_t fraction = random_bits(state) & 0x7fffff, low = random_below(state, 24);
-    switch (random_below(state, 4)) {
-    case 0:
-        return fraction & ~((1u << low) - 1);
-    case 1:
-        return fraction | ((1u << low) - 1);
-    default:
-        return fraction;
-    }
-}
-
-/* A pair of operands, from the kind'th of the places where adders and multipliers go wrong. */
-enum { OPERAND_KINDS = 8 };
-static void random_pair(uint64_t *state, uint32_t kind, uint32_t *a, uint32_t *b) {
-    uint32_t r = random_bits(state);
-    int e = (int)random_below(state, 255), offset = (int)random_below(state, 61) - 30;
-    uint32_t x = random_fraction(state), y = random_fraction(state);
-    switch (kind) {
-    case 0: /* anything */
-        *a = r;
-        *b = random_bits(state);
-        break;
-    case 1: /* exponents near each other */
-        *a = assemble(r, e, x);
-        *b = assemble(r >> 1, e + offset, y);
-        break;
-    case 2: /* subnormal, or nearly */
-        *a = assemble(r, (int)random_below(state, 3), x);
-        *b = assemble(r >> 1, (int)random_below(state, 30), y);
-        break;
-    case 3: /* massive cancellation */
-        *a = assemble(r, e, x);
-        *b = (*a ^ 0x80000000u) + (uint32_t)offset;
-        break;
-    case 4: /* a sum halfway between two floats, or one step beside: b is a power of two, near
-             * a's half ulp */
-        *a = assemble(r, e, x);
-        *b = assemble(r >> 1, e - 24 + (int)(r >> 2 & 1), 0) + (uint32_t)((int)(r >> 3 & 3) - 1);
-        break;
-    case 5: /* a product of about 25 bits: halfway between two floats every second time */
-        *a = assemble(r, e, x << 11);
-        *b = assemble(r >> 1, 127 + offset, y << 11);
-        break;
-    case 6: /* a product around the least normal number */
-        *a = assemble(r, e, x);
-        *b = assemble(r >> 1, 127 - e + offset, y);
-        break;
-    default: /* around overflow */
-        *a = assemble(r, 254 - (int)random_below(state, 2), x);
-        *b = assemble(r >> 1, r >> 2 & 1 ? 254 : 126 + (int)random_below(state, 3), y);
-        break;
-    }
 }
 
 /* --- fp_add and fp_mul -------------------------------------------------------------------------
@@ -185,18 +90,6 @@ static void idle_cycles_between_operands_change_no_result(void **state) {
     check_random_pairs(FP_MUL, 2);
 }
 
-/* Magnitudes; each is used with both signs. */
-static const uint32_t SPECIAL[] = {
-    0x00000000, 0x00000001, 0x00000002, 0x00000003, 0x00000004, 0x003fffff, 0x00400000, 0x00400001,
-    0x007ffffe, 0x007fffff, 0x00800000, 0x00800001, 0x00ffffff, 0x01000000, 0x01000001, 0x017fffff,
-    0x0b800000, 0x1f800000, 0x20000000, 0x33000000, 0x33800000, 0x33800001, 0x34000000, 0x34000001,
-    0x3effffff, 0x3f000000, 0x3f000001, 0x3f7fffff, 0x3f800000, 0x3f800001, 0x3fbfffff, 0x3fc00000,
-    0x3fffffff, 0x40000000, 0x40400000, 0x4b000000, 0x4b7fffff, 0x4b800000, 0x5f000000, 0x5f7fffff,
-    0x5f800000, 0x7e7fffff, 0x7e800000, 0x7effffff, 0x7f000000, 0x7f000001, 0x7f7ffffe, 0x7f7fffff,
-    0x7f800000, 0x7f800001, 0x7fbfffff, 0x7fc00000, 0x7fffffff,
-};
-enum { SPECIALS = 2 * sizeof SPECIAL / sizeof SPECIAL[0] };
-
 static void all_pairs_of_special_operands_equal_the_host(void **state) {
     (void)state;
     static uint32_t a[SPECIALS * SPECIALS], b[SPECIALS * SPECIALS];
@@ -212,8 +105,6 @@ static void all_pairs_of_special_operands_equal_the_host(void **state) {
 /* --- to_fixed and to_float ----------------------------------------------------------------------
  */
 
-enum { LEAST_EXPONENT = -148, LARGEST_EXPONENT = 128 };
-
 /* RNE(c * 2^(30-E)). Exact in double but for rint, which rounds to nearest even. */
 static int32_t fixed_reference(uint32_t c, int exponent) {
     return (int32_t)rint(ldexp((double)float_of(c), 30 - exponent));
@@ -225,44 +116,18 @@ static uint32_t float_reference(int32_t q, int exponent) {
     return bits_of(c);
 }
 
-/* The bits of the largest float below 2^E. */
-static uint32_t largest_below(int exponent) {
-    return bits_of((float)ldexp(1.0, exponent - 1)) + (exponent > -126 ? 0x7fffff : 0) +
-           (exponent <= -126 ? (1u << (exponent + 148)) - 1 : 0);
-}
-
-/* A finite float with |c| < 2^E, often one whose last bits land around the rounding point. */
-static uint32_t random_component(uint64_t *state, int exponent) {
-    uint32_t top = largest_below(exponent), r = random_bits(state), magnitude;
-    int field = (int)(top >> 23);
-    switch (r & 3) {
-    case 0:
-        magnitude = random_below(state, top + 1);
-        break;
-    case 1:
-        magnitude = top - random_below(state, top < 100 ? top + 1 : 100);
-        break;
-    default:
-        magnitude = assemble(0, field - (int)random_below(state, 36), random_fraction(state));
-        break;
-    }
-    return (magnitude > top ? top : magnitude) | (r & 0x80000000u);
-}
-
-static int random_exponent(uint64_t *state) {
-    return LEAST_EXPONENT + (int)random_below(state, LARGEST_EXPONENT - LEAST_EXPONENT + 1);
-}
-
 static void check_to_fixed(fp_shim *shim, uint32_t c, int exponent) {
     int32_t q = fp_to_fixed(shim, c, exponent), expected = fixed_reference(c, exponent);
     if (q != expected)
         fail_msg("to_fixed(%08x, E = %d) is %d, expected %d", c, exponent, q, expected);
+    assert_int_equal(hs_to_fixed(float_of(c), exponent), expected);
 }
 
 static void check_to_float(fp_shim *shim, int32_t q, int exponent) {
     uint32_t c = fp_to_float(shim, q, exponent), expected = float_reference(q, exponent);
     if (c != expected)
         fail_msg("to_float(%d, E = %d) is %08x, expected %08x", q, exponent, c, expected);
+    assert_int_equal(bits_of(hs_to_float(q, hs_unit(exponent))), expected);
 }
 
 static void fixed_point_is_the_nearest_to_every_float(void **unused) {
@@ -284,32 +149,6 @@ static void fixed_point_is_the_nearest_to_every_float(void **unused) {
         check_to_fixed(shim, random_component(&state, exponent), exponent);
     }
     fp_free(shim);
-}
-
-/* At E = 128 the pipeline's numbers reach 2^30 - 2^6 only. */
-static int32_t largest_fixed(int exponent) {
-    return exponent == LARGEST_EXPONENT ? (1 << 30) - (1 << 6) : 1 << 30;
-}
-
-static int32_t random_fixed(uint64_t *state, int exponent) {
-    int32_t top = largest_fixed(exponent), q;
-    uint32_t r = random_bits(state), width = random_below(state, 31);
-    switch (r & 3) {
-    case 0:
-        q = (int32_t)random_below(state, (uint32_t)top + 1);
-        break;
-    case 1:
-        q = (int32_t)(random_fraction(state) << 7 | random_below(state, 128));
-        break;
-    case 2:
-        q = (int32_t)((1u << width) + random_below(state, 5)) - 2;
-        break;
-    default:
-        q = (int32_t)(random_bits(state) & ((1u << width) - 1));
-        break;
-    }
-    q = q > top ? top : q < 0 ? 0 : q;
-    return r >> 31 ? -q : q;
 }
 
 static void floats_are_the_nearest_to_every_fixed_point_number(void **unused) {
@@ -377,6 +216,10 @@ static uint32_t transform_reference(const uint32_t matrix[16], size_t n, const u
             uint32_t xy = host_add(host_mul(m[0], p[0]), host_mul(m[1], p[1]));
             uint32_t zw = host_add(host_mul(m[2], p[2]), host_mul(m[3], p[3]));
             uint32_t c = host_add(xy, zw);
+            float m_float[4], p_float[4];
+            memcpy(m_float, m, sizeof m_float);
+            memcpy(p_float, p, sizeof p_float);
+            assert_int_equal(canonical(hs_row_times(m_float, p_float)), c);
             vertex[i].clip[row] = c;
             if (!is_finite(c)) {
                 vertex[i].overflow = true;
@@ -471,6 +314,7 @@ static void check_quantize(fp_shim *shim, uint64_t *state, uint32_t count, int e
     if (magnitude) frexp((double)float_of(magnitude), &expected_exponent);
     fp_quantize_report report = fp_quantize(shim, count, magnitude, memory);
     assert_int_equal(report.exponent, expected_exponent);
+    assert_int_equal(hs_block_exponent(float_of(magnitude)), expected_exponent);
     for (uint32_t k = 0; k < 4 * count; k++)
         assert_int_equal((int32_t)memory[k], fixed_reference(before[k], expected_exponent));
     for (uint32_t k = 4 * count; k < 4 * FP_VERTICES; k++)
