@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# The floating-point modules on their own: build/test_fp, and `make testfloat`.
+# The arithmetic on its own: build/test_fp, `make testfloat`, and the campaign, `make arithmetic`.
 
 FP_SV  := $(addprefix rtl/,fp_add.sv fp_mul.sv transform.sv to_fixed.sv quantize.sv to_float.sv)
 FP_DIR := $(BUILD)/fp
@@ -16,16 +16,13 @@ $(FP_DIR)/Vfp_top__ALL.a: $(FP_DIR)/log ;
 $(BUILD)/test_fp: $(BUILD)/tests/test_fp.o $(FP_LIB)
 	$(CXX) $^ -o $@ -lcmocka -lz -lm -pthread
 
-$(BUILD)/fp_testfloat: $(BUILD)/tests/fp_testfloat.o $(FP_LIB)
-	$(CXX) $^ -o $@ -lz -pthread
 
 # --- Berkeley TestFloat, which Debian ships inside qemu's source ------------------------------------
 # apt gets sources and lists of its own under build/: the machine's Debian mirror (whatever entry of
 # its lists names this release's main suite), asked for sources instead of binaries.
 TF     := $(BUILD)/testfloat
 TF_GEN := $(TF)/berkeley-testfloat-3/build/Linux-x86_64-GCC/testfloat_gen
-# How many vectors level 2 has for an operation with two operands of 32 bits.
-TF_VECTORS := 7496192
+SOFTFLOAT := $(TF)/berkeley-softfloat-3/build/Linux-x86_64-GCC/softfloat.a
 TF_APT := apt-get -qq -o Dir::Etc::sourcelist=/dev/null -o Dir::Etc::sourceparts=$(CURDIR)/$(TF)/apt/parts \
           -o Dir::State::lists=$(CURDIR)/$(TF)/apt/lists -o Dir::Cache=$(CURDIR)/$(TF)/apt/cache \
           -o APT::Sandbox::User=root
@@ -55,7 +52,24 @@ $(TF_GEN): $(TF)/unpacked
 	$(MAKE) -s -C $(TF)/berkeley-softfloat-3/build/Linux-x86_64-GCC
 	$(MAKE) -s -C $(@D) testfloat_gen
 
+$(SOFTFLOAT): $(TF_GEN) ;
+SOFTFLOAT_USERS := $(addprefix $(BUILD)/tests/,fp_testfloat.o)
+$(SOFTFLOAT_USERS): CFLAGS += -isystem $(TF)/berkeley-softfloat-3/source/include
+$(SOFTFLOAT_USERS): | $(SOFTFLOAT)
+
+$(BUILD)/fp_testfloat: $(BUILD)/tests/fp_testfloat.o $(FP_LIB) $(SOFTFLOAT) $(BUILD)/libhalfstep.a
+	$(CXX) $^ -o $@ -lz -lm -pthread
+
+# Function of TestFloat, what fp_testfloat calls it, and how many vectors level 2 has for it.
+define TF_RUNS
+f32_add    add      7496192
+f32_mul    mul      7496192
+f32_to_i32 to_fixed 8800
+i32_to_f32 to_float 15500
+endef
+export TF_RUNS
+
 .PHONY: testfloat
-testfloat: $(TF_GEN) $(BUILD)/fp_testfloat ## fp_add and fp_mul against Berkeley TestFloat, level 2
-	$(TF_GEN) -level 2 f32_add | $(BUILD)/fp_testfloat add $(TF_VECTORS)
-	$(TF_GEN) -level 2 f32_mul | $(BUILD)/fp_testfloat mul $(TF_VECTORS)
+testfloat: $(TF_GEN) $(BUILD)/fp_testfloat ## Berkeley TestFloat, level 2: add, mul and the conversions, of the RTL and of golden
+	@echo "$$TF_RUNS" | while read function name vectors; do \
+	    $(TF_GEN) -level 2 -rnear_even $$function | $(BUILD)/fp_testfloat $$name $$vectors || exit 1; done
