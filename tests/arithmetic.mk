@@ -53,23 +53,32 @@ $(TF_GEN): $(TF)/unpacked
 	$(MAKE) -s -C $(@D) testfloat_gen
 
 $(SOFTFLOAT): $(TF_GEN) ;
-SOFTFLOAT_USERS := $(addprefix $(BUILD)/tests/,fp_testfloat.o)
+SOFTFLOAT_USERS := $(addprefix $(BUILD)/tests/,fp_testfloat.o arithmetic_floats.o)
 $(SOFTFLOAT_USERS): CFLAGS += -isystem $(TF)/berkeley-softfloat-3/source/include
 $(SOFTFLOAT_USERS): | $(SOFTFLOAT)
 
 $(BUILD)/fp_testfloat: $(BUILD)/tests/fp_testfloat.o $(FP_LIB) $(SOFTFLOAT) $(BUILD)/libhalfstep.a
 	$(CXX) $^ -o $@ -lz -lm -pthread
 
-# Function of TestFloat, what fp_testfloat calls it, and how many vectors level 2 has for it.
-define TF_RUNS
-f32_add    add      7496192
-f32_mul    mul      7496192
-f32_to_i32 to_fixed 8800
-i32_to_f32 to_float 15500
-endef
-export TF_RUNS
-
 .PHONY: testfloat
-testfloat: $(TF_GEN) $(BUILD)/fp_testfloat ## Berkeley TestFloat, level 2: add, mul and the conversions, of the RTL and of golden
-	@echo "$$TF_RUNS" | while read function name vectors; do \
-	    $(TF_GEN) -level 2 -rnear_even $$function | $(BUILD)/fp_testfloat $$name $$vectors || exit 1; done
+testfloat: $(TF_GEN) $(BUILD)/fp_testfloat ## Berkeley TestFloat, level 2: add, mul and conversions, of the RTL and of golden
+	@tests/arithmetic_run $(TF_GEN)
+
+# --- The campaign -----------------------------------------------------------------------------------
+ARITHMETIC_PARTS := $(patsubst %,$(BUILD)/tests/arithmetic%.o,_floats _divide _facing)
+$(BUILD)/tests/arithmetic_facing.o: | $(BUILD)/gmp
+$(BUILD)/gmp:
+	@mkdir -p $(@D)
+	@$(call INSTALL,libgmp-dev)
+	@touch $@
+
+$(BUILD)/arithmetic: $(BUILD)/tests/arithmetic.o $(ARITHMETIC_PARTS) $(FP_LIB) $(SOFTFLOAT) \
+    $(patsubst %,$(BUILD)/verilated/%/shim.o,divide geometry)
+	$(CXX) $^ $(foreach u,divide geometry,$(BUILD)/verilated/$u/V$u__ALL.a) -o $@ -lgmp -lz -lm -pthread
+
+# Of each operation.
+OPERANDS := 100000000
+SEED := 1
+.PHONY: arithmetic
+arithmetic: $(TF_GEN) $(BUILD)/fp_testfloat $(BUILD)/arithmetic ## RTL and golden beside TestFloat, SoftFloat, GMP; OPERANDS of each operation
+	@tests/arithmetic_run $(TF_GEN) $(OPERANDS) $(SEED)

@@ -11,6 +11,8 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "random.h"
+
 static inline float float_of(uint32_t bits) {
     float value;
     memcpy(&value, &bits, sizeof value);
@@ -33,19 +35,6 @@ static inline bool is_finite(uint32_t bits) {
 
 /* --- Random operands ---------------------------------------------------------------------------
  */
-
-/* xorshift64*, high half. */
-static inline uint32_t random_bits(uint64_t *state) {
-    *state ^= *state >> 12;
-    *state ^= *state << 25;
-    *state ^= *state >> 27;
-    return (uint32_t)((*state * 0x2545f4914f6cdd1dull) >> 32);
-}
-
-/* 0 to n-1. */
-static inline uint32_t random_below(uint64_t *state, uint32_t n) {
-    return (uint32_t)(((uint64_t)random_bits(state) * n) >> 32);
-}
 
 static inline uint32_t assemble(uint32_t sign, int exponent, uint32_t fraction) {
     int clamped = exponent < 0 ? 0 : exponent > 254 ? 254 : exponent;
@@ -119,6 +108,11 @@ static const uint32_t SPECIAL[] = {
     0x7f800000, 0x7f800001, 0x7fbfffff, 0x7fc00000, 0x7fffffff,
 };
 enum { SPECIALS = 2 * sizeof SPECIAL / sizeof SPECIAL[0] };
+
+static inline uint32_t random_special(uint64_t *state) {
+    const uint32_t i = random_below(state, SPECIALS);
+    return SPECIAL[i / 2] | i << 31;
+}
 
 /* --- Blocks --------------------------------------------------------------------------------------
  */

@@ -14,6 +14,7 @@ geometry_rtl *geometry_rtl_new(uint32_t seed) {
     auto *rtl = new geometry_rtl(seed);
     rtl->top->valid_i = 0;
     rtl->top->edges_valid_i = 0;
+    rtl->top->marks_valid_i = 0;
     geometry_rtl_reset(rtl);
     return rtl;
 }
@@ -86,4 +87,18 @@ bool geometry_rtl_edges(geometry_rtl *rtl, const geometry_settings *settings, ui
         rtl->rise();
     }
     return top.edges_short_o;
+}
+
+void geometry_rtl_marks(geometry_rtl *rtl, const geometry_marks *in, bool *front, bool *back) {
+    Vgeometry &top = *rtl->top;
+    *front = top.marks_front_o;
+    *back = top.marks_back_o;
+    top.valid_i = 0;
+    top.edges_valid_i = 0;
+    top.marks_valid_i = in != nullptr;
+    if (in) {
+        top.marks_use_i = in->use & 15;
+        std::memcpy(&top.marks_vectors_i[0], in->vector, sizeof in->vector);
+    }
+    rtl->rise();
 }

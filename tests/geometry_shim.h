@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
- * rtl/face_geometry.sv and rtl/short_edges.sv under Verilator, a cycle at a time.
+ * rtl/face_geometry.sv, rtl/short_edges.sv and rtl/marks.sv under Verilator, a cycle at a time.
  */
 #ifndef GEOMETRY_SHIM_H
 #define GEOMETRY_SHIM_H
@@ -12,7 +12,7 @@
 extern "C" {
 #endif
 
-enum { GEOMETRY_LATENCY = 5, EDGES_LATENCY = 3 };
+enum { GEOMETRY_LATENCY = 5, EDGES_LATENCY = 3, MARKS_LATENCY = 3 };
 
 typedef struct geometry_settings {
     bool quads;
@@ -45,6 +45,16 @@ bool geometry_rtl_cycle(geometry_rtl *rtl, const geometry_settings *settings,
 /* short_edges' answer on those of four edges v-w that are in use (bit i: edge i), all by itself. */
 bool geometry_rtl_edges(geometry_rtl *rtl, const geometry_settings *settings, uint32_t use,
                         const int32_t v[4][4], const int32_t w[4][4]);
+
+/* The vectors of marks, x, y, w each, and which determinants count: bits 0 to 3, of P, Q, R, S. */
+enum { MARKS_A, MARKS_B, MARKS_C, MARKS_D, MARKS_P, MARKS_Q, MARKS_R, MARKS_S, MARKS_VECTORS };
+typedef struct geometry_marks {
+    uint32_t use;
+    int32_t vector[MARKS_VECTORS][3];
+} geometry_marks;
+/* One cycle of marks, all by itself, with vectors at the input, none if NULL. Gives the outputs
+ * before it, which belong to what went in MARKS_LATENCY cycles ago. */
+void geometry_rtl_marks(geometry_rtl *rtl, const geometry_marks *in, bool *front, bool *back);
 
 #ifdef __cplusplus
 }
