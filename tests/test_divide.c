@@ -12,6 +12,7 @@
 #include <cmocka.h>
 
 #include "arithmetic.h"
+#include "divide_proof.h"
 #include "divide_shim.h"
 
 enum { RANDOM_QUOTIENTS = 1000, TOP_QUOTIENTS = 8 };
@@ -126,9 +127,34 @@ static void idle_cycles_do_not_disturb_it(void **state) {
     divide_rtl_free(b.rtl);
 }
 
+/* A narrower one: two bits less are too few for some n (docs/arithmetic.md, section 4). */
+static void the_reciprocals_are_wide_enough_and_narrower_ones_would_be_seen(void **state) {
+    (void)state;
+    struct bench b = {.rtl = divide_rtl_new(3)};
+    uint32_t too_narrow = 0;
+    for (int limit = 0; limit < 2; limit++)
+        for (uint32_t n = 1; n <= DIVIDE_MOST_N; n++) {
+            const reciprocal exact = reciprocal_of(limit, n, DIVIDE_BITS);
+            const reciprocal narrow = reciprocal_of(limit, n, DIVIDE_BITS - 2);
+            const int64_t x = tightest_dividend(&exact), d = exact.denominator;
+            assert_true(is_wide_enough(&exact));
+            assert_true(is_rounded(x, d, divide_by_reciprocal(&exact, x)));
+            clock_in(&b, &(division){.limit = limit, .n = n, .x = x});
+            clock_in(&b, &(division){.limit = limit, .n = n, .x = -x});
+            if (is_wide_enough(&narrow)) continue;
+            assert_false(is_rounded(x, d, divide_by_reciprocal(&narrow, x)));
+            too_narrow++;
+        }
+    drain(&b);
+    assert_int_equal(b.compared, 4 * DIVIDE_MOST_N);
+    assert_true(too_narrow > 0);
+    divide_rtl_free(b.rtl);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_quotient_is_rounded_once_to_nearest_even),
+        cmocka_unit_test(the_reciprocals_are_wide_enough_and_narrower_ones_would_be_seen),
         cmocka_unit_test(idle_cycles_do_not_disturb_it),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
