@@ -64,17 +64,16 @@ static bool golden_front(const corners *c) {
 
 /* The corner in slot 0 to 3 of the module, and corners that do not count in the others. */
 static void clock_in(bench *b, uint64_t *state, const corners *c, bool is_front, uint32_t slot) {
-    static const uint32_t a[] = {MARKS_A, MARKS_A, MARKS_C, MARKS_C};
-    static const uint32_t p[] = {MARKS_P, MARKS_Q, MARKS_R, MARKS_S};
+    const uint32_t pair = slot < 2 ? MARKS_A : MARKS_C;
     const uint32_t at = (uint32_t)(b->cycle++ % MARKS_LATENCY);
     geometry_marks in = {.use = 1u << slot};
     bool front, back;
     if (c) {
         for (int i = 0; i < 24; i++)
             in.vector[i / 3][i % 3] = corner_anywhere(state);
-        memcpy(in.vector[p[slot]], c->at[0], sizeof c->at[0]);
-        memcpy(in.vector[a[slot]], c->at[1], sizeof c->at[1]);
-        memcpy(in.vector[a[slot] + 1], c->at[2], sizeof c->at[2]);
+        memcpy(in.vector[MARKS_P + slot], c->at[0], sizeof c->at[0]);
+        memcpy(in.vector[pair], c->at[1], sizeof c->at[1]);
+        memcpy(in.vector[pair + 1], c->at[2], sizeof c->at[2]);
     }
     geometry_rtl_marks(b->rtl, c ? &in : NULL, &front, &back);
     if (b->valid[at] && (front != b->front[at] || back == front))
