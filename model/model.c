@@ -152,7 +152,8 @@ hs_model_config hs_model_config_decode(uint32_t architecture) {
                                     .lanes = 1u << (architecture >> 12 & 0xf),
                                     .latency = architecture >> 16 & 0xf,
                                     .ops = 1u << (architecture >> 20 & 0xf),
-                                    .views = architecture >> 24 & 0xf};
+                                    .views = architecture >> 24 & 0xf,
+                                    .parity = architecture >> 28 & 1};
     return config;
 }
 
@@ -174,6 +175,8 @@ bool hs_model_config_good(const hs_model_config *c, hs_error *err) {
         return hs_fail(err, HS_EXIT_USAGE, "latency is %u; it should be 1 to 8 cycles", c->latency);
     if (c->views < 1 || c->views > HS_MOST_VIEWS)
         return hs_fail(err, HS_EXIT_USAGE, "views is %u; it should be 1 to 8", c->views);
+    if (c->parity > 1)
+        return hs_fail(err, HS_EXIT_USAGE, "parity is %u; it should be 0 or 1", c->parity);
     if (!power_of_two(c->ops, 16, 256))
         return hs_fail(err, HS_EXIT_USAGE, "ops is %u; it should be 16, 32, 64, 128 or 256",
                        c->ops);

@@ -25,11 +25,18 @@ typedef struct hs_model_config {
     uint32_t latency; /* cycles from a request of a window to its word: 1 to 8 */
     uint32_t ops;     /* that wait for emit: a power of two, 16 to 256 */
     uint32_t views;   /* in flight, each in a pipeline of its own: 1 to 8 (hs_flight) */
+    uint32_t parity;  /* 1: memories and FIFOs have a bit more a word; costs no cycle */
 } hs_model_config;
 
 #define HS_DEFAULT_CONFIG                                                                          \
-    ((hs_model_config){                                                                            \
-        .port = 4, .banks = 8, .window = 8, .lanes = 8, .latency = 1, .ops = 16, .views = 1})
+    ((hs_model_config){.port = 4,                                                                  \
+                       .banks = 8,                                                                 \
+                       .window = 8,                                                                \
+                       .lanes = 8,                                                                 \
+                       .latency = 1,                                                               \
+                       .ops = 16,                                                                  \
+                       .views = 1,                                                                 \
+                       .parity = 1})
 
 /* What the register ARCHITECTURE says. */
 hs_model_config hs_model_config_decode(uint32_t architecture);

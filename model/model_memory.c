@@ -42,11 +42,20 @@ static uint64_t fifo_bits(const hs_model_config *c) {
     return classify + select + guard + write + pass + ops;
 }
 
+/* Words of FIFOs, as above, that parity adds a bit to: folds have items and results. */
+static uint64_t fifo_words(const hs_model_config *c) {
+    return 4 * 2 * 512 + 512 + 8 * c->window + 2 * c->window + c->ops * 5 / 2 + 8 + 16;
+}
+
 uint64_t hs_model_memory_bits(const hs_model_config *c) {
     const hs_limits capacity = HS_DEFAULT_LIMITS;
     const uint64_t vertex = HS_BIRTH_WORDS + HS_RING_WORD + 2;
     const uint64_t quad = 4 * HS_HALF_WORD + 2 * HS_EDGE_WORD + HS_POINT_WORD + 1 +
                           2 * HS_VERDICT_WORD + HS_NUMBER_WORD;
-    return c->views *
-           (capacity.vertices * vertex + capacity.quads * quad + window_bits(c) + fifo_bits(c));
+    /* Words a vertex: position, sum, sharp, ring, mark, chosen, held; a quad: four halves, two edge
+     * sums, point, selected, two verdicts, number. */
+    const uint64_t parity =
+        c->parity ? 7 * capacity.vertices + 11 * capacity.quads + fifo_words(c) : 0;
+    return c->views * (capacity.vertices * vertex + capacity.quads * quad + window_bits(c) +
+                       fifo_bits(c) + parity);
 }

@@ -94,7 +94,8 @@ typedef struct hs_output {
 
 /* Decodes and checks an output packet: record order, numbers, counts, CRC. On failure *output is
  * empty and *err gives the word (HS_EXIT_STREAM). A view with an error status decodes: it has no
- * vertices and no faces. */
+ * vertices and no faces. So does one that met a memory's fault (HS_STATUS_MEMORY_FAULT): what its
+ * packet holds before the trailer is not looked at. */
 bool hs_output_decode(hs_output *output, const hs_packet *packet, hs_error *err);
 void hs_output_free(hs_output *output);
 

@@ -225,6 +225,27 @@ static bool check_trailer(const reader *in, size_t at, const counts *sum) {
     return true;
 }
 
+/* A view that met a memory's fault: its records say nothing, and may end in the middle of a face.
+ * What must hold is that the packet came over whole. */
+static bool is_faulty(const hs_packet *packet) {
+    const uint32_t *word = packet->word + packet->words - 8;
+    return is_tagged(word) && kind_of(word) == HS_RECORD_TRAILER &&
+           (word[0] & 0xff) == HS_STATUS_MEMORY_FAULT;
+}
+
+static bool check_faulty(const reader *in) {
+    const size_t at = in->packet->words - 8;
+    const uint32_t *word = in->packet->word + at, *end = word + 4;
+    if (!check_unused(in, at, 0xfff00)) return false;
+    if (word[1] != HS_NO_POSITION)
+        return wrong(in, at + 1, "position 0x%08x with a memory's fault", word[1]);
+    if (!is_tagged(end) || kind_of(end) != HS_RECORD_END)
+        return wrong(in, at + 4, "the last record is no END");
+    const uint32_t crc = hs_crc(0, in->packet->word, at + 7);
+    if (end[3] != crc) return wrong(in, at + 7, "it says 0x%08x, it is 0x%08x", end[3], crc);
+    return true;
+}
+
 /* at is END's word 0. */
 static bool check_end(const reader *in, size_t at, const counts *sum) {
     const uint32_t *word = in->packet->word + at;
@@ -254,6 +275,7 @@ static bool check_packet(const reader *in, counts *sum) {
                        "or more",
                        in->packet->view, words);
     if (!check_header(in)) return false;
+    if (is_faulty(in->packet)) return check_faulty(in);
     bool short_group = false;
     size_t at = 4, trailer = words - 8;
     while (at < trailer) {
@@ -376,7 +398,7 @@ bool hs_output_decode(hs_output *output, const hs_packet *packet, hs_error *err)
     bool good = out.position && out.number && out.first && out.corner && out.generation &&
                 out.candidate && map.place;
     if (!good) hs_fail(err, HS_EXIT_INTERNAL, "no memory for the output of view %u", packet->view);
-    good = good && take_packet(&in, &out, &map);
+    good = good && (is_faulty(packet) || take_packet(&in, &out, &map));
     free(map.place);
     if (!good) {
         hs_output_free(&out);

@@ -10,6 +10,7 @@
 //   * Rate: as scatter's. Written in the cycle behind the bank's read; a vertex may be touched in
 //     every cycle: the word just written is forwarded.
 //   * touched_o: the vertex of the word that a bank gets now was touched before; with update_o.
+//   * sum_void_o: the sum that a bank gives now is not used.
 //   * full_o: a vertex got its 256th corner, the only lane of the item that was tagged full_item_o.
 //     Only for generation 0; its count stays void.
 //   * active_o: something is not yet written.
@@ -56,6 +57,7 @@ module accumulate #(
 
     output logic [(1<<BANK_BITS)-1:0] update_o,
     output logic [(1<<BANK_BITS)-1:0] touched_o,
+    output logic [(1<<BANK_BITS)-1:0] sum_void_o,
 
     output logic                 full_o,
     output logic [TAG_WIDTH-1:0] full_item_o,
@@ -115,17 +117,21 @@ module accumulate #(
 
     assign forward  = written_q && written_row_q == row_q;
     assign old_mark = forward ? written_mark_q : mark_rd_data_i[b*13+:13];
-    assign old_sum  = forward ? written_sum_q : sum_rd_data_i[b*168+:168];
     assign touched  = old_mark[12:5] == generation_i;
     assign new_mark = {generation_i, old_mark[4],
                        data_q[3:0] | (touched ? old_mark[3:0] : 4'd0)};
     assign full[b]  = update_q[b] && touched && old_sum[167:160] == 8'd255;
 
     always_comb begin
-      new_sum[167:160] = touched ? old_sum[167:160] + 8'd1 : 8'd1;
-      for (int k = 0; k < 4; k++)
-        new_sum[k*40+:40] = (touched ? old_sum[k*40+:40] : 40'd0) +
-            {{7{data_q[4+k*33+32]}}, data_q[4+k*33+:33]};
+      old_sum = '0;
+      new_sum = '0;
+      if (update_q[b] && sum_i) begin
+        old_sum = forward ? written_sum_q : sum_rd_data_i[b*168+:168];
+        new_sum[167:160] = touched ? old_sum[167:160] + 8'd1 : 8'd1;
+        for (int k = 0; k < 4; k++)
+          new_sum[k*40+:40] = (touched ? old_sum[k*40+:40] : 40'd0) +
+              {{7{data_q[4+k*33+32]}}, data_q[4+k*33+:33]};
+      end
     end
 
     always_ff @(posedge clk_i) begin
@@ -147,12 +153,13 @@ module accumulate #(
     end
 
     assign touched_o[b] = touched;
+    assign sum_void_o[b] = sum_i && update_q[b] && (!touched || forward);
     assign mark_wr_en_o[b] = update_q[b];
     assign mark_wr_row_o[b*ROW_BITS+:ROW_BITS] = update_q[b] ? row_q : '0;
     assign mark_wr_data_o[b*13+:13] = update_q[b] ? new_mark : '0;
     assign sum_wr_en_o[b] = update_q[b] && sum_i;
     assign sum_wr_row_o[b*ROW_BITS+:ROW_BITS] = update_q[b] && sum_i ? row_q : '0;
-    assign sum_wr_data_o[b*168+:168] = update_q[b] && sum_i ? new_sum : '0;
+    assign sum_wr_data_o[b*168+:168] = new_sum;
   end
 
   // --- The item whose lane is being updated; it has one lane where it matters ----------------------

@@ -7,6 +7,9 @@
 //     that bank is low.
 //   * A read in the cycle of a write to the same row gives the old word.
 //   * Contents after reset: whatever was there.
+//   * With PARITY every word has a bit more, so that its ones are even. fault_o, two cycles behind a
+//     read: they were not, in a word that check_i said was of use (in the cycle of rd_data_o; a word that
+//     was never written has no parity).
 
 module banked_memory #(
     // Bits of a word.
@@ -14,28 +17,54 @@ module banked_memory #(
     // Rows of a bank, as a power of two.
     parameter int unsigned ROW_BITS = 16,
     // Banks, as a power of two.
-    parameter int unsigned BANK_BITS = 3
+    parameter int unsigned BANK_BITS = 3,
+    parameter bit PARITY = 1'b1
 ) (
     input logic clk_i,
 
     input  logic [       (1<<BANK_BITS)-1:0] rd_en_i,
     input  logic [ROW_BITS*(1<<BANK_BITS)-1:0] rd_row_i,
     output logic [   WIDTH*(1<<BANK_BITS)-1:0] rd_data_o,
+    input  logic [       (1<<BANK_BITS)-1:0] check_i,
+    output logic fault_o,
 
     input logic [       (1<<BANK_BITS)-1:0] wr_en_i,
     input logic [ROW_BITS*(1<<BANK_BITS)-1:0] wr_row_i,
     input logic [   WIDTH*(1<<BANK_BITS)-1:0] wr_data_i
 );
 
-  for (genvar b = 0; b < (1 << BANK_BITS); b++) begin : g_bank
-    logic [WIDTH-1:0] word_q[0:(1<<ROW_BITS)-1];
-    logic [WIDTH-1:0] data_q;
+  localparam int unsigned BITS = WIDTH + 32'(PARITY);
 
-    always_ff @(posedge clk_i) begin
-      if (rd_en_i[b]) data_q <= word_q[rd_row_i[b*ROW_BITS+:ROW_BITS]];
-      if (wr_en_i[b]) word_q[wr_row_i[b*ROW_BITS+:ROW_BITS]] <= wr_data_i[b*WIDTH+:WIDTH];
+  logic [(1<<BANK_BITS)-1:0] wrong;
+
+  for (genvar b = 0; b < (1 << BANK_BITS); b++) begin : g_bank
+    logic [BITS-1:0] word_q[0:(1<<ROW_BITS)-1];
+    logic [BITS-1:0] data_q;
+    logic [WIDTH-1:0] wr_data;
+
+    assign wr_data = wr_data_i[b*WIDTH+:WIDTH];
+    assign rd_data_o[b*WIDTH+:WIDTH] = data_q[WIDTH-1:0];
+
+    if (PARITY) begin : g_parity
+      logic read_q, wrong_q;
+
+      always_ff @(posedge clk_i) begin
+        read_q  <= rd_en_i[b];
+        wrong_q <= 1'b0;
+        if (read_q && check_i[b]) wrong_q <= ^data_q;
+        if (rd_en_i[b]) data_q <= word_q[rd_row_i[b*ROW_BITS+:ROW_BITS]];
+        if (wr_en_i[b]) word_q[wr_row_i[b*ROW_BITS+:ROW_BITS]] <= {^wr_data, wr_data};
+      end
+      assign wrong[b] = wrong_q;
+    end else begin : g_plain
+      always_ff @(posedge clk_i) begin
+        if (rd_en_i[b]) data_q <= word_q[rd_row_i[b*ROW_BITS+:ROW_BITS]];
+        if (wr_en_i[b]) word_q[wr_row_i[b*ROW_BITS+:ROW_BITS]] <= wr_data;
+      end
+      assign wrong[b] = 1'b0;
     end
-    assign rd_data_o[b*WIDTH+:WIDTH] = data_q;
   end
+
+  assign fault_o = |wrong;
 
 endmodule

@@ -54,7 +54,7 @@ module check_twins #(
 
   assign a_rd_en_o = left_q != '0;
   assign a_rd_index_o = next_q;
-  assign b_rd_en_o = valid_1;
+  assign b_rd_en_o = valid_1 && !a_border_i;
   assign b_rd_index_o = a_twin_i;
 
   always_ff @(posedge clk_i) begin

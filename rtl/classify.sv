@@ -22,7 +22,8 @@ module classify #(
     parameter int unsigned BANK_BITS = 3,
     parameter int unsigned WINDOW_BITS = 3, // items that compete for banks
     parameter int unsigned LANES = 8, // words a cycle
-    parameter int unsigned READ_LATENCY = 1 // of a gather
+    parameter int unsigned READ_LATENCY = 1, // of a gather
+    parameter bit PARITY = 1'b1
 ) (
     input logic clk_i,
     input logic rst_i,
@@ -70,12 +71,14 @@ module classify #(
     output logic [              (1<<BANK_BITS)-1:0] sum_rd_en_o,
     output logic [(VW-BANK_BITS)*(1<<BANK_BITS)-1:0] sum_rd_row_o,
     input  logic [          168*(1<<BANK_BITS)-1:0] sum_rd_data_i,
+    output logic [              (1<<BANK_BITS)-1:0] sum_void_o,    // what is read is not used
     output logic [              (1<<BANK_BITS)-1:0] sum_wr_en_o,
     output logic [(VW-BANK_BITS)*(1<<BANK_BITS)-1:0] sum_wr_row_o,
     output logic [          168*(1<<BANK_BITS)-1:0] sum_wr_data_o,
     output logic [              (1<<BANK_BITS)-1:0] ring_rd_en_o,
     output logic [(VW-BANK_BITS)*(1<<BANK_BITS)-1:0] ring_rd_row_o,
     input  logic [          177*(1<<BANK_BITS)-1:0] ring_rd_data_i,
+    output logic [              (1<<BANK_BITS)-1:0] ring_void_o,
     output logic [              (1<<BANK_BITS)-1:0] ring_wr_en_o,
     output logic [(VW-BANK_BITS)*(1<<BANK_BITS)-1:0] ring_wr_row_o,
     output logic [          177*(1<<BANK_BITS)-1:0] ring_wr_data_o,
@@ -107,7 +110,8 @@ module classify #(
     output logic       blocked_o,
     output logic       item_in_o,
     output logic       item_out_o,
-    output logic [1:0] conflict_o
+    output logic [1:0] conflict_o,
+    output logic fault_o
 );
 
   // --- Fetch and gather -----------------------------------------------------------------------------
@@ -226,8 +230,9 @@ module classify #(
   contributions #(
       .VW(VW),
       .QW(QW),
-      .WINDOW_BITS(WINDOW_BITS)
+      .WINDOW_BITS(WINDOW_BITS), .PARITY(PARITY)
   ) u_contributions (
+      .fault_o(fault_o),
       .clk_i, .rst_i, .start_i, .quads_i, .odd_i, .limit_i, .stall_o(stall),
       .active_o(contributions_active), .item_valid_i(valid_q), .item_last_i(last_q),
       .item_origin_i(origin_q), .item_position_i(position), .item_border_i(border_q),
@@ -264,7 +269,7 @@ module classify #(
       .in_mask_i(give_mask), .in_index_i(give_index), .in_marks_i(give_marks),
       .in_addend_i(give_addend), .in_tag_i(give_corner), .mark_rd_en_o, .mark_rd_row_o,
       .mark_rd_data_i, .mark_wr_en_o, .mark_wr_row_o, .mark_wr_data_o, .sum_rd_en_o, .sum_rd_row_o,
-      .sum_rd_data_i, .sum_wr_en_o, .sum_wr_row_o, .sum_wr_data_o, .update_o(update),
+      .sum_rd_data_i, .sum_void_o, .sum_wr_en_o, .sum_wr_row_o, .sum_wr_data_o, .update_o(update),
       .touched_o(touched), .full_o(valence_error_o), .full_item_o(valence_corner_o),
       .conflict_o(conflict_o[1]), .active_o(accumulate_active)
   );
@@ -276,7 +281,7 @@ module classify #(
   ) u_ring (
       .clk_i, .rst_i, .in_valid_i(give && take && pass_ready && limit_i), .in_mask_i(give_mask),
       .in_index_i(give_index), .in_addend_i(give_ring), .in_nonquad_i(give_nonquad),
-      .update_i(update), .touched_i(touched), .ring_rd_en_o, .ring_rd_row_o, .ring_rd_data_i,
+      .update_i(update), .touched_i(touched), .ring_rd_en_o, .ring_rd_row_o, .ring_rd_data_i, .ring_void_o,
       .ring_wr_en_o, .ring_wr_row_o, .ring_wr_data_o
   );
 

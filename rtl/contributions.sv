@@ -31,7 +31,8 @@
 module contributions #(
     parameter int unsigned VW = 19,  // width of a vertex number
     parameter int unsigned QW = 19,  // width of a quad's (generation 0: a corner's) number
-    parameter int unsigned WINDOW_BITS = 3  // of the gather before this
+    parameter int unsigned WINDOW_BITS = 3,  // of the gather before this
+    parameter bit PARITY = 1'b1
 ) (
     input logic clk_i,
     input logic rst_i,
@@ -74,17 +75,22 @@ module contributions #(
     output logic [   511:0] out_position_o, // of the item's corners
     output logic [   127:0] out_point_o,    // of its new vertex
     output logic [     3:0] out_boundary_o,
-    output logic            item_out_o
+    output logic            item_out_o,
+    output logic fault_o
 );
 
   // --- Generation 0: the sharpness of the face's last corner waits for its result ----------------
   logic last_sharp;
+  logic last_fault, fold_fault;
+
+  assign fault_o = last_fault || fold_fault;
 
   /* verilator lint_off PINCONNECTEMPTY */
   fifo #(
       .WIDTH(1),
-      .DEPTH(16)
+      .DEPTH(16), .PARITY(PARITY)
   ) u_last (
+      .fault_o(last_fault),
       .clk_i,
       .rst_i,
       .in_valid_i(item_valid_i && item_last_i && !quads_i),
@@ -116,8 +122,9 @@ module contributions #(
   fold #(
       .ITEM_WIDTH(ITEM),
       .RESULT_WIDTH(RESULT),
-      .MARGIN((1 << WINDOW_BITS) + 24)
+      .MARGIN((1 << WINDOW_BITS) + 24), .PARITY(PARITY)
   ) u_fold (
+      .fault_o(fold_fault),
       .clk_i,
       .rst_i,
       .stall_o,

@@ -19,6 +19,8 @@
 //     record and closes the packet. op_generation_i of the trailer is the last generation.
 //   * view_i and exponent_i must not change from the header op to done_o; status_i and position_i
 //     not from the trailer op to done_o.
+//   * OP_TRAILER may overtake an op that was not taken, and end a polygon in the middle: what the view's
+//     status then says is that it is of no use.
 //   * Illegal: an op outside of a packet; a polygon whose corners are interrupted by another op;
 //     sides, candidate or generation that differ between its corners; dropping op_valid_i or
 //     changing an op before it was taken.
@@ -337,12 +339,13 @@ module emit #(
   // What the users owe.
   op_stays :
   assert property (@(posedge clk_i) disable iff (rst_i)
-      op_valid_i && !op_ready_o |=> op_valid_i && $stable(op_kind_i) && $stable(op_number_i))
+      op_valid_i && !op_ready_o |=> op_valid_i &&
+      (op_kind_i == TRAILER || ($stable(op_kind_i) && $stable(op_number_i))))
   else $error("emit: an op was withdrawn before it was taken");
 `ifdef HS_ASSERT_DATA
   op_keeps :
   assert property (@(posedge clk_i) disable iff (rst_i)
-      op_valid_i && !op_ready_o |=> $stable(
+      op_valid_i && !op_ready_o |=> op_kind_i == TRAILER || $stable(
       {op_kind_i, op_generation_i, op_number_i, op_position_i, op_group_i, op_at_level_i, op_mask_i,
        op_triangle_i, op_child_i, op_candidate_i, op_vertex_i, op_sides_i, op_first_i, op_last_i}))
   else $error("emit: an op changed before it was taken");

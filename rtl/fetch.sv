@@ -6,7 +6,7 @@
 //   * start_i for one cycle, with count_i items (0 to 2^BITS). start_i while active_o is illegal.
 //   * It reads ahead: rd_en_o, rd_item_o and rd_face_o name the next item and its face in the cycle
 //     before valid_o shows them, so that a memory that answers one cycle later shows their words
-//     beside valid_o. The words hold until ready_i takes the item.
+//     beside valid_o. The words hold until ready_i takes the item. It does not read beyond the last item.
 //   * last_i: the item that is shown is the last of its face (combinational from its words).
 //   * Rate: an item a cycle. active_o: items remain.
 
@@ -34,21 +34,22 @@ module fetch #(
 
   logic [BITS:0] left_q;
   logic [BITS-1:0] item_q, face_q;
-  logic take;
+  logic take, step;
 
   assign valid_o = left_q != '0;
   assign active_o = valid_o;
   assign item_o = item_q;
   assign face_o = face_q;
   assign take = valid_o && ready_i;
-  assign rd_en_o = start_i || take;
+  assign step = start_i || take;
+  assign rd_en_o = start_i ? count_i != '0 : take && left_q != (BITS + 1)'(1);
   assign rd_item_o = start_i ? '0 : item_q + BITS'(1);
   assign rd_face_o = start_i ? '0 : last_i ? face_q + BITS'(1) : face_q;
 
   always_ff @(posedge clk_i) begin
     if (start_i) left_q <= count_i;
     else if (take) left_q <= left_q - (BITS + 1)'(1);
-    if (rd_en_o) begin
+    if (step) begin
       item_q <= rd_item_o;
       face_q <= rd_face_o;
     end

@@ -9,12 +9,15 @@
 //     the input side to the output side or back, so chains of these close no loop.
 //   * A full FIFO takes nothing, even in a cycle in which it gives a word.
 //   * Once in_valid_i is set it must stay, with its data, until the word is taken (as in AXI).
+//   * With PARITY every word has a bit more, so that its ones are even. fault_o, a cycle behind the one
+//     that gave the word: they were not.
 
 module fifo #(
     // Bits of a word, 1 or more.
     parameter int unsigned WIDTH = 32,
     // Words held; a power of two, 2 or more.
-    parameter int unsigned DEPTH = 16
+    parameter int unsigned DEPTH = 16,
+    parameter bit PARITY = 1'b1
 ) (
     input logic clk_i,
     input logic rst_i,  // synchronous: empties the FIFO
@@ -27,7 +30,8 @@ module fifo #(
     input  logic             out_ready_i,
     output logic [WIDTH-1:0] out_data_o,
 
-    output logic [$clog2(DEPTH):0] level_o  // words held, 0 to DEPTH
+    output logic [$clog2(DEPTH):0] level_o,  // words held, 0 to DEPTH
+    output logic                   fault_o
 );
 
   localparam int unsigned INDEX_BITS = $clog2(DEPTH);
@@ -44,19 +48,22 @@ module fifo #(
   // Reading and writing place, each with one bit more than it needs: equal means empty, different
   // in that bit alone means full.
   logic [INDEX_BITS:0] read_q, write_q;
-  logic [WIDTH-1:0] storage_q[0:DEPTH-1];
+  localparam int unsigned BITS = WIDTH + 32'(PARITY);
+  logic [BITS-1:0] storage_q[0:DEPTH-1];
+  logic [BITS-1:0] in_word, out_word;
   logic take, give;
 
   assign level_o = write_q - read_q;
   assign in_ready_o = !level_o[INDEX_BITS];
   assign out_valid_o = write_q != read_q;
-  assign out_data_o = storage_q[read_q[INDEX_BITS-1:0]];
+  assign out_word = storage_q[read_q[INDEX_BITS-1:0]];
+  assign out_data_o = out_word[WIDTH-1:0];
   assign take = in_valid_i && in_ready_o;
   assign give = out_valid_o && out_ready_i;
 
   always_ff @(posedge clk_i) begin
     if (take) begin
-      storage_q[write_q[INDEX_BITS-1:0]] <= in_data_i;
+      storage_q[write_q[INDEX_BITS-1:0]] <= in_word;
       write_q <= write_q + 1'b1;
     end
     if (give) read_q <= read_q + 1'b1;
@@ -64,6 +71,20 @@ module fifo #(
       read_q  <= '0;
       write_q <= '0;
     end
+  end
+
+  if (PARITY) begin : g_parity
+    logic fault_q;
+
+    assign in_word = {^in_data_i, in_data_i};
+    always_ff @(posedge clk_i) begin
+      fault_q <= 1'b0;
+      if (give && !rst_i) fault_q <= ^out_word;
+    end
+    assign fault_o = fault_q;
+  end else begin : g_plain
+    assign in_word = in_data_i;
+    assign fault_o = 1'b0;
   end
 
 `ifndef YOSYS

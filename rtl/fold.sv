@@ -19,7 +19,8 @@ module fold #(
     // Items held; a power of two, 512 or more.
     parameter int unsigned ITEMS = 512,
     // Items that may still come when stall_o goes high.
-    parameter int unsigned MARGIN = 32
+    parameter int unsigned MARGIN = 32,
+    parameter bit PARITY = 1'b1
 ) (
     input logic clk_i,
     input logic rst_i,
@@ -38,7 +39,8 @@ module fold #(
     output logic [  ITEM_WIDTH-1:0] out_item_o,
     output logic [RESULT_WIDTH-1:0] out_result_o,
 
-    output logic active_o  // an item is inside
+    output logic active_o,  // an item is inside
+    output logic fault_o
 );
 
   generate
@@ -50,14 +52,16 @@ module fold #(
   localparam int unsigned LEVEL_BITS = $clog2(ITEMS) + 1;
 
   logic item_there, result_there, take;
+  logic items_fault, results_fault;
   logic [LEVEL_BITS-1:0] level;
 
   // As many results as items: in generations of quads there are.
   /* verilator lint_off PINCONNECTEMPTY */
   fifo #(
       .WIDTH(ITEM_WIDTH + 1),
-      .DEPTH(ITEMS)
+      .DEPTH(ITEMS), .PARITY(PARITY)
   ) u_items (
+      .fault_o(items_fault),
       .clk_i,
       .rst_i,
       .in_valid_i(item_valid_i),
@@ -71,8 +75,9 @@ module fold #(
 
   fifo #(
       .WIDTH(RESULT_WIDTH),
-      .DEPTH(ITEMS)
+      .DEPTH(ITEMS), .PARITY(PARITY)
   ) u_results (
+      .fault_o(results_fault),
       .clk_i,
       .rst_i,
       .in_valid_i(result_valid_i),
@@ -90,6 +95,7 @@ module fold #(
   assign stall_o = level > LEVEL_BITS'(ITEMS - MARGIN);
   assign active_o = item_there;
 
+  assign fault_o = items_fault || results_fault;
 `ifndef YOSYS
   items_fit :
   assert property (@(posedge clk_i) disable iff (rst_i) item_valid_i |-> level < LEVEL_BITS'(ITEMS))

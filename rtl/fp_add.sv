@@ -68,8 +68,9 @@ module fp_add (
   logic [27:0] sum2_q;  // U(2.26), last bit sticky
   logic [27:0] sum_d;
 
-  assign sum_d = subtract1_q ? {1'b0, significand_x1_q, 3'd0} - {1'b0, significand_y1_q}
-                             : {1'b0, significand_x1_q, 3'd0} + {1'b0, significand_y1_q};
+  assign sum_d = !valid1_q ? 28'd0 :
+      subtract1_q ? {1'b0, significand_x1_q, 3'd0} - {1'b0, significand_y1_q}
+                  : {1'b0, significand_x1_q, 3'd0} + {1'b0, significand_y1_q};
 
   always_ff @(posedge clk_i) begin
     valid2_q <= valid1_q && !rst_i;

@@ -23,7 +23,8 @@ module guard #(
     parameter int unsigned BANK_BITS = 3,
     parameter int unsigned WINDOW_BITS = 3, // items that compete for banks
     parameter int unsigned LANES = 8, // words a cycle
-    parameter int unsigned READ_LATENCY = 1 // of a gather
+    parameter int unsigned READ_LATENCY = 1, // of a gather
+    parameter bit PARITY = 1'b1
 ) (
     input logic clk_i,
     input logic rst_i,
@@ -78,7 +79,8 @@ module guard #(
     output logic       blocked_o,
     output logic       item_in_o,
     output logic       item_out_o,
-    output logic [1:0] conflict_o
+    output logic [1:0] conflict_o,
+    output logic fault_o
 );
 
   // --- Fetch and gather -----------------------------------------------------------------------------
@@ -201,8 +203,9 @@ module guard #(
   fold #(
       .ITEM_WIDTH(4 + 4 * VW),
       .RESULT_WIDTH(RESULT),
-      .MARGIN((1 << WINDOW_BITS) + 24)
+      .MARGIN((1 << WINDOW_BITS) + 24), .PARITY(PARITY)
   ) u_fold (
+      .fault_o(fault_o),
       .clk_i,
       .rst_i,
       .stall_o(stall),

@@ -33,7 +33,10 @@ module halfstep #(
     // Ops of smooth and of split that wait for emit: a power of two, 16 to 256.
     parameter int unsigned OPS = 16,
     // Views in flight: 1 to 8.
-    parameter int unsigned VIEWS = 1
+    parameter int unsigned VIEWS = 1,
+    // Memories and FIFOs have a parity bit a word; a view that meets a wrong one ends with
+    // STATUS_MEMORY_FAULT, and the next is worked on as ever.
+    parameter bit PARITY = 1'b1
 ) (
     input logic clk_i,
     input logic rst_i,  // synchronous
@@ -102,9 +105,9 @@ module halfstep #(
   localparam int unsigned QW = $clog2(QUADS);
   localparam int unsigned DATA = 128 * PORT_RECORDS;
   localparam int unsigned KEEP = 16 * PORT_RECORDS;
-  // {VIEWS, log2 OPS, READ_LATENCY, log2 LANES, WINDOW_BITS, BANK_BITS, log2 PORT_RECORDS}, 4 bits each
+  // {PARITY, VIEWS, log2 OPS, READ_LATENCY, log2 LANES, WINDOW_BITS, BANK_BITS, log2 PORT_RECORDS}, 4 bits each
   localparam logic [31:0] ARCHITECTURE = {
-    4'd0, 4'(VIEWS), 4'($clog2(OPS)), 4'(READ_LATENCY), 4'($clog2(LANES)), 4'(WINDOW_BITS), 4'(BANK_BITS),
+    4'(PARITY), 4'(VIEWS), 4'($clog2(OPS)), 4'(READ_LATENCY), 4'($clog2(LANES)), 4'(WINDOW_BITS), 4'(BANK_BITS),
     4'($clog2(PORT_RECORDS))
   };
 
@@ -170,7 +173,8 @@ module halfstep #(
   for (genvar p = 0; p < VIEWS; p++) begin : g_pipeline
     pipeline #(
         .VERTICES(VERTICES), .QUADS(QUADS), .PORT_RECORDS(PORT_RECORDS), .BANK_BITS(BANK_BITS),
-        .WINDOW_BITS(WINDOW_BITS), .LANES(LANES), .READ_LATENCY(READ_LATENCY), .OPS(OPS)
+        .WINDOW_BITS(WINDOW_BITS), .LANES(LANES), .READ_LATENCY(READ_LATENCY), .OPS(OPS),
+        .PARITY(PARITY)
     ) u_pipeline (
         .clk_i, .rst_i, .s_axis_tvalid(in_valid[p]), .s_axis_tready(in_ready[p]), .s_axis_tdata,
         .s_axis_tkeep, .s_axis_tlast, .s_axis_tid, .m_axis_tvalid(out_valid[p]),

@@ -85,6 +85,8 @@ package hs_pkg;
   localparam logic [7:0] STATUS_OK = 8'd0;
   // refinement stopped early: the next generation would exceed a capacity
   localparam logic [7:0] STATUS_STOPPED = 8'd1;
+  // a memory gave a word with wrong parity: nothing of the view is of use
+  localparam logic [7:0] STATUS_MEMORY_FAULT = 8'd2;
   // the packet does not begin with the magic word
   localparam logic [7:0] STATUS_BAD_MAGIC = 8'd16;
   // the stream version is not known
@@ -187,7 +189,7 @@ package hs_pkg;
   localparam logic [11:0] REG_CYCLES_HIGH = 12'h02c;
   // cycles in which a request waited for a memory bank
   localparam logic [11:0] REG_CONFLICTS = 12'h030;
-  // parameters, 4 bits each from bit 0 up: log2 of the records in a beat, log2 of banks, log2 of a window's items, log2 of lanes, read latency, log2 of ops that wait for emit, views in flight
+  // parameters, 4 bits each from bit 0 up: log2 of the records in a beat, log2 of banks, log2 of a window's items, log2 of lanes, read latency, log2 of ops that wait for emit, views in flight, whether memories have parity
   localparam logic [11:0] REG_ARCHITECTURE = 12'h034;
   // whose counters are read, from 0: each view in flight has a pipeline of its own
   localparam logic [11:0] REG_PIPELINE = 12'h038;

@@ -100,11 +100,13 @@ module pack #(
   logic [511:0] front;
   /* verilator lint_off UNUSEDSIGNAL */
   logic [  1:0] level;
+  logic         fault;  // without parity there is none
   /* verilator lint_on UNUSEDSIGNAL */
 
   fifo #(
       .WIDTH(516),
-      .DEPTH(2)
+      .DEPTH(2),
+      .PARITY(1'b0)  // registers
   ) rows (
       .clk_i      (clk_i),
       .rst_i      (rst_i),
@@ -114,7 +116,8 @@ module pack #(
       .out_valid_o(front_valid),
       .out_ready_i(front_ready),
       .out_data_o ({front_last, front_count, front}),
-      .level_o    (level)
+      .level_o    (level),
+      .fault_o    (fault)
   );
 
   // --- Cut the row into beats --------------------------------------------------------------------

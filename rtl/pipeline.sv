@@ -23,6 +23,7 @@ module pipeline #(
     parameter int unsigned LANES = 8,
     parameter int unsigned READ_LATENCY = 1,
     parameter int unsigned OPS = 16,
+    parameter bit PARITY = 1'b1,
     localparam int unsigned VW = $clog2(VERTICES),
     localparam int unsigned QW = $clog2(QUADS)
 ) (
@@ -164,7 +165,7 @@ module pipeline #(
       .item_out_o(quantize_out)
   );
 
-  // --- The generations ---------------------------------------------------------------------------
+  // --- The generations; a memory's fault ends them ----------------------------------------------------------------------------
   logic kick_classify, kick_check, kick_select, kick_guard, kick_smooth, kick_split;
   logic classify_active, check_active, select_active, guard_active, smooth_active;
   logic split_active, check_error, check_sharpness, send_at_level, valence_error, send_valid, send_ready, split_op;
@@ -183,14 +184,16 @@ module pipeline #(
   logic [3:0] split_mask, split_triangle, split_child, split_candidate;
   logic [383:0] split_op_vertex;
   logic [7:0] split_sides;
+  logic fault, abort;
   logic [4:0] refine_in;
   logic [9:0] refine_out;
 
   refine #(
       .VW(VW), .QW(QW), .BANK_BITS(BANK_BITS),
-      .WINDOW_BITS(WINDOW_BITS), .LANES(LANES), .READ_LATENCY(READ_LATENCY), .OPS(OPS)
+      .WINDOW_BITS(WINDOW_BITS), .LANES(LANES), .READ_LATENCY(READ_LATENCY), .OPS(OPS),
+      .PARITY(PARITY)
   ) u_refine (
-      .clk_i, .rst_i, .generation_i(generation), .odd_i(odd), .quads_i(of_quads), .side_i(side),
+      .clk_i, .rst_i(rst_i || abort), .fault_o(fault), .generation_i(generation), .odd_i(odd), .quads_i(of_quads), .side_i(side),
       .all_i(all), .last_step_i(last_step), .finish_i(finish), .pass_i(pass), .edge_i(edge_points),
       .marked_i(marked), .items_i(items),
       .vertices_i(vertices), .new_vertices_i(new_vertices), .uniform_i(uniform),
@@ -269,7 +272,7 @@ module pipeline #(
       .VW(VW), .QW(QW)
   ) u_sequencer (
       .clk_i, .rst_i, .limit_vertices_i, .limit_quads_i,
-      .view_done_o, .busy_o, .status_o, .position_o,
+      .view_done_o, .busy_o, .status_o, .position_o, .fault_i(fault), .abort_o(abort),
       .kick_receive_o(kick_receive), .receive_item_i(receive_in), .receive_done_i(receive_done),
       .vertices_done_i(vertices_done), .transform_busy_i(transform_busy),
       .kick_quantize_o(kick_quantize), .quantize_done_i(quantize_done),

@@ -16,12 +16,14 @@
 // Generation 0 has a corner a record, in the lower half: c0 is the corner, {first, last of its face}
 // stand in place of c1's twin. It is read from side 0; side 1 holds it twice, for check_twins.
 //
+//   * fault_o, two cycles behind a read: the parity of a word of use was wrong.
 //   * Reads answer one cycle later. Split writes the side that is not read.
 
 module record_memory #(
     parameter int unsigned VW = 19,
     parameter int unsigned QW = 19,
     parameter int unsigned BANK_BITS = 3,
+    parameter bit PARITY = 1'b1,
     localparam int unsigned BANKS = 1 << BANK_BITS,
     localparam int unsigned ROW_BITS = QW - BANK_BITS,
     localparam int unsigned HW = QW + 2,
@@ -31,6 +33,7 @@ module record_memory #(
 
     input logic side_i,   // which side is read
     input logic quads_i,  // quads, not corners
+    input logic [QW:0] items_i,
 
     // receive: corners
     input logic          corner_valid_i,
@@ -91,8 +94,14 @@ module record_memory #(
     input logic [    HALF*BANKS-1:0] upper_wr_data_i,
     input logic                      sum_wr_i,         // and half the sums of the edges
     input logic [     132*BANKS-1:0] lower_wr_sum_i,
-    input logic [     132*BANKS-1:0] upper_wr_sum_i
+    input logic [     132*BANKS-1:0] upper_wr_sum_i,
+
+    output logic fault_o
 );
+
+  logic [3:0] fault_half;
+  logic fault_lower_sum, fault_upper_sum;
+  assign fault_o = fault_half != '0 || fault_lower_sum || fault_upper_sum;
 
   function automatic logic [BANKS-1:0] bank_of(input logic en, input logic [BANK_BITS-1:0] bank);
     bank_of = BANKS'(en) << bank;
@@ -152,9 +161,12 @@ module record_memory #(
     banked_memory #(
         .WIDTH(HALF),
         .ROW_BITS(ROW_BITS),
-        .BANK_BITS(BANK_BITS)
+        .BANK_BITS(BANK_BITS),
+        .PARITY(PARITY)
     ) u_half (
         .clk_i,
+        .check_i({BANKS{1'b1}}),
+        .fault_o(fault_half[m]),
         .rd_en_i(bank_of(rd_en, rd_index[BANK_BITS-1:0])),
         .rd_row_i({BANKS{rd_index[QW-1:BANK_BITS]}}),
         .rd_data_o(data),
@@ -208,7 +220,9 @@ module record_memory #(
   logic edge_rd;
   logic [QW-1:0] edge_item;
   logic [BANK_BITS-1:0] edge_bank_q;
-  logic [BANKS-1:0] edge_banks;
+  logic [ROW_BITS-1:0] edge_row_q;
+  logic [BANKS-1:0] edge_banks, edge_used;
+  logic edge_line_q;
   logic [132*BANKS-1:0] lower_sum, upper_sum;
 
   assign edge_rd = edge_i && (edge_rd_en_i || rd_en_i);
@@ -216,14 +230,27 @@ module record_memory #(
   assign edge_banks = !edge_rd ? '0 :
       ((BANKS'(1) << LINE) - BANKS'(1)) << (edge_item[BANK_BITS-1:0] & ~BANK_BITS'(LINE - 1));
 
-  always_ff @(posedge clk_i) if (edge_rd) edge_bank_q <= edge_item[BANK_BITS-1:0];
+  always_ff @(posedge clk_i) begin
+    if (edge_rd) begin
+      {edge_row_q, edge_bank_q} <= edge_item;
+      edge_line_q <= edge_rd_en_i;
+    end
+  end
+
+  always_comb begin
+    for (int b = 0; b < BANKS; b++)
+      edge_used[b] = edge_line_q ? {1'b0, edge_row_q, BANK_BITS'(b)} < items_i : edge_bank_q == BANK_BITS'(b);
+  end
 
   banked_memory #(
       .WIDTH(132),
       .ROW_BITS(ROW_BITS),
-      .BANK_BITS(BANK_BITS)
+      .BANK_BITS(BANK_BITS),
+      .PARITY(PARITY)
   ) u_lower_sum (
       .clk_i,
+      .check_i(edge_used),
+      .fault_o(fault_lower_sum),
       .rd_en_i(edge_banks),
       .rd_row_i({BANKS{edge_item[QW-1:BANK_BITS]}}),
       .rd_data_o(lower_sum),
@@ -235,9 +262,12 @@ module record_memory #(
   banked_memory #(
       .WIDTH(132),
       .ROW_BITS(ROW_BITS),
-      .BANK_BITS(BANK_BITS)
+      .BANK_BITS(BANK_BITS),
+      .PARITY(PARITY)
   ) u_upper_sum (
       .clk_i,
+      .check_i(edge_used),
+      .fault_o(fault_upper_sum),
       .rd_en_i(edge_banks),
       .rd_row_i({BANKS{edge_item[QW-1:BANK_BITS]}}),
       .rd_data_o(upper_sum),

@@ -23,7 +23,8 @@ module refine #(
     parameter int unsigned WINDOW_BITS = 3, // items that compete for banks
     parameter int unsigned LANES = 8, // words a cycle
     parameter int unsigned READ_LATENCY = 1, // of a gather
-    parameter int unsigned OPS = 16 // that wait for emit
+    parameter int unsigned OPS = 16, // that wait for emit
+    parameter bit PARITY = 1'b1 // of the memories
 ) (
     input logic clk_i,
     input logic rst_i,
@@ -104,7 +105,9 @@ module refine #(
     output logic [4:0] busy_o, starved_o, blocked_o, item_in_o,
     output logic [9:0] item_out_o,  // two bits a stage
 
-    output logic [3:0] conflict_o
+    output logic [3:0] conflict_o,
+
+    output logic fault_o  // the parity of a memory's word that is of use was wrong
 );
 
   localparam int unsigned HW = QW + 2;
@@ -123,6 +126,9 @@ module refine #(
   logic [VR*BANKS-1:0] ring_rd_row, ring_wr_row;
   logic [177*BANKS-1:0] ring, ring_wr_data;
   logic [13*BANKS-1:0] mark, mark_wr_data;
+  logic [BANKS-1:0] sum_void, ring_void, row_there, held_used;
+  logic vertices_fault, records_fault, faces_fault, classify_fault, select_fault, guard_fault, smooth_fault;
+  logic split_fault;
   logic [168*BANKS-1:0] sum, sum_wr_data;
   logic [BANKS-1:0] wide_rd_en, leave_wr_en;
   logic [VR-1:0] wide_rd_row, leave_wr_row;
@@ -159,7 +165,7 @@ module refine #(
   end
 
   vertex_memory #(
-      .VW(VW), .BANK_BITS(BANK_BITS)
+      .VW(VW), .BANK_BITS(BANK_BITS), .PARITY(PARITY)
   ) u_vertices (
       .clk_i, .load_wr_en_i(clip_valid_i), .load_wr_index_i(clip_index_i), .load_wr_data_i(clip_i),
       .quantize_rd_en_i(quantize_rd_i), .quantize_rd_index_i, .single_position_o,
@@ -177,7 +183,8 @@ module refine #(
       .gather_rd_data_o(gathered), .mark_rd_en_i(classify_mark_rd_en | select_mark_rd_en),
       .mark_rd_row_i(classify_mark_rd_row | select_mark_rd_row), .mark_rd_data_o(mark),
       .mark_wr_en_i(mark_wr_en), .mark_wr_row_i(mark_wr_row), .mark_wr_data_i(mark_wr_data),
-      .sum_rd_en_i(sum_rd_en), .sum_rd_row_i(sum_rd_row), .sum_rd_data_o(sum),
+      .sum_rd_en_i(sum_rd_en), .sum_rd_row_i(sum_rd_row), .sum_rd_data_o(sum), .sum_void_i(sum_void), .ring_void_i(limit_i ? ring_void : {BANKS{1'b1}}),
+      .row_there_i(row_there), .held_used_i(held_used), .fault_o(vertices_fault),
       .sum_wr_en_i(sum_wr_en), .sum_wr_row_i(sum_wr_row), .sum_wr_data_i(sum_wr_data),
       .chosen_wr_en_i(chosen_wr_en), .chosen_wr_row_i(chosen_wr_row), .chosen_rd_en_i(chosen_rd_en),
       .chosen_rd_row_i(chosen_rd_row), .chosen_rd_data_o(chosen), .held_wr_en_i(held_wr_en),
@@ -239,9 +246,9 @@ module refine #(
   end
 
   record_memory #(
-      .VW(VW), .QW(QW), .BANK_BITS(BANK_BITS)
+      .VW(VW), .QW(QW), .BANK_BITS(BANK_BITS), .PARITY(PARITY)
   ) u_records (
-      .clk_i, .side_i, .quads_i, .corner_valid_i, .corner_index_i, .corner_origin_i, .corner_twin_i,
+      .clk_i, .side_i, .quads_i, .items_i, .fault_o(records_fault), .corner_valid_i, .corner_index_i, .corner_origin_i, .corner_twin_i,
       .corner_border_i, .corner_boundary_i, .corner_sharpness_i, .corner_forced_i, .corner_first_i,
       .corner_last_i, .rd_en_i(classify_rd || select_rd || guard_rd || split_rd), .rd_item_i(record_item),
       .origin_o(origin), .twin_o(twin), .border_o(border), .boundary_o(boundary), .sharp_o(sharp),
@@ -270,13 +277,15 @@ module refine #(
   logic [(QW+4)*BANKS-1:0] numbers;
 
   face_memory #(
-      .VW(VW), .QW(QW), .BANK_BITS(BANK_BITS)
+      .VW(VW), .QW(QW), .BANK_BITS(BANK_BITS), .PARITY(PARITY)
   ) u_faces (
       .clk_i, .point_wr_en_i(point_valid), .point_wr_face_i(point_face),
       .point_wr_data_i(point_wr_data), .point_wr_front_i(point_front), .point_wr_stop_i(point_stop),
       .selected_wr_en_i(selected_valid), .selected_wr_face_i(selected_face),
       .selected_wr_data_i(selected_verdict),
       .face_rd_en_i(select_rd || guard_rd || split_rd || smooth_face_rd), .face_rd_i(face_item),
+      .point_used_i(!edge_i), .face_line_i(smooth_face_rd), .faces_i(items_i), .selected_used_i(guard_rd && !uniform_i),
+      .own_used_i(!all_i && !finish_i), .fault_o(faces_fault),
       .point_o(point), .points_o(points), .front_o(front), .stop_o(stop), .selected_o(selected), .verdict_wr_en_i(verdict_valid),
       .verdict_wr_item_i(verdict_item), .verdict_wr_data_i(verdict_wr_data), .own_rd_en_i(split_rd),
       .own_rd_item_i(split_item), .own_o(own_verdict), .verdict_rd_en_i(verdict_rd_en),
@@ -308,7 +317,7 @@ module refine #(
 
   classify #(
       .VW(VW), .QW(QW), .BANK_BITS(BANK_BITS),
-      .WINDOW_BITS(WINDOW_BITS), .LANES(LANES), .READ_LATENCY(READ_LATENCY)
+      .WINDOW_BITS(WINDOW_BITS), .LANES(LANES), .READ_LATENCY(READ_LATENCY), .PARITY(PARITY)
   ) u_classify (
       .clk_i, .rst_i, .start_i(kick_classify_i), .pass_i, .pass_valid_o(pass_valid),
       .pass_ready_i(pass_ready), .pass_item_o(pass_item), .pass_origin_o(pass_origin),
@@ -324,7 +333,8 @@ module refine #(
       .position_rd_data_i(gathered), .mark_rd_en_o(classify_mark_rd_en),
       .mark_rd_row_o(classify_mark_rd_row), .mark_rd_data_i(mark), .mark_wr_en_o(mark_wr_en),
       .mark_wr_row_o(mark_wr_row), .mark_wr_data_o(mark_wr_data), .sum_rd_en_o(sum_rd_en),
-      .sum_rd_row_o(sum_rd_row), .sum_rd_data_i(sum), .sum_wr_en_o(sum_wr_en),
+      .sum_rd_row_o(sum_rd_row), .sum_rd_data_i(sum), .sum_void_o(sum_void),
+      .ring_void_o(ring_void), .fault_o(classify_fault), .sum_wr_en_o(sum_wr_en),
       .sum_wr_row_o(sum_wr_row), .sum_wr_data_o(sum_wr_data), .point_valid_o(point_valid),
       .point_face_o(point_face), .point_o(point_wr_data), .front_o(point_front), .valence_error_o,
       .valence_corner_o, .busy_o(busy_o[0]), .starved_o(starved_o[0]), .blocked_o(blocked_o[0]),
@@ -347,7 +357,7 @@ module refine #(
 
   select #(
       .VW(VW), .QW(QW), .BANK_BITS(BANK_BITS),
-      .WINDOW_BITS(WINDOW_BITS), .LANES(LANES), .READ_LATENCY(READ_LATENCY)
+      .WINDOW_BITS(WINDOW_BITS), .LANES(LANES), .READ_LATENCY(READ_LATENCY), .PARITY(PARITY)
   ) u_select (
       .clk_i, .rst_i, .start_i(kick_select_i), .items_i, .quads_i, .generation_i, .front_depth_i,
       .silhouette_depth_i, .active_o(select_active_o), .selected_o(selected_count_o),
@@ -359,12 +369,12 @@ module refine #(
       .chosen_wr_row_o(chosen_wr_row), .selected_valid_o(selected_valid),
       .selected_face_o(selected_face), .selected_verdict_o(selected_verdict), .busy_o(busy_o[1]),
       .starved_o(starved_o[1]), .blocked_o(blocked_o[1]), .item_in_o(item_in_o[1]),
-      .item_out_o(item_out_o[2]), .conflict_o(select_conflict)
+      .item_out_o(item_out_o[2]), .conflict_o(select_conflict), .fault_o(select_fault)
   );
 
   guard #(
       .VW(VW), .QW(QW), .BANK_BITS(BANK_BITS),
-      .WINDOW_BITS(WINDOW_BITS), .LANES(LANES), .READ_LATENCY(READ_LATENCY)
+      .WINDOW_BITS(WINDOW_BITS), .LANES(LANES), .READ_LATENCY(READ_LATENCY), .PARITY(PARITY)
   ) u_guard (
       .clk_i, .rst_i, .start_i(kick_guard_i), .items_i, .quads_i, .odd_i, .guard_i(guarded_i),
       .record_boundary_i(boundary), .record_tag_i(tag), .record_half_i(half),
@@ -378,7 +388,7 @@ module refine #(
       .verdict_item_o(verdict_item), .verdict_o(verdict_wr_data), .new_valid_o(guard_birth),
       .new_vertex_o(guard_vertex), .new_position_o(guard_position), .busy_o(busy_o[2]),
       .starved_o(starved_o[2]), .blocked_o(blocked_o[2]), .item_in_o(item_in_o[2]),
-      .item_out_o(item_out_o[4]), .conflict_o(guard_conflict)
+      .item_out_o(item_out_o[4]), .conflict_o(guard_conflict), .fault_o(guard_fault)
   );
 
   // --- smooth, split -----------------------------------------------------------------------------
@@ -386,14 +396,14 @@ module refine #(
 
   smooth #(
       .VW(VW), .BANK_BITS(BANK_BITS),
-      .OPS(OPS)
+      .OPS(OPS), .PARITY(PARITY)
   ) u_smooth (
       .clk_i, .rst_i, .start_i(kick_smooth_i), .count_i(vertices_i), .new_i(new_vertices_i), .odd_i,
       .last_i(last_step_i), .finish_i, .generation_i(marked_i), .active_o(smooth_walks),
       .limit_i, .corners_stay_i, .sharp_rd_data_i(single_sharp), .ring_rd_data_i(single_ring),
       .send_at_level_o,
       .row_rd_en_o(smooth_row_rd), .row_rd_o(smooth_row), .mark_rd_data_i(mark),
-      .held_rd_data_i(held), .vertex_rd_en_o(smooth_rd), .vertex_rd_index_o(smooth_rd_index),
+      .held_rd_data_i(held), .row_there_o(row_there), .held_used_o(held_used), .fault_o(smooth_fault), .vertex_rd_en_o(smooth_rd), .vertex_rd_index_o(smooth_rd_index),
       .position_rd_data_i(single_position_o), .sum_rd_data_i(single_sum), .new_from_face_i(all_i),
       .face_rd_en_o(smooth_face_rd), .face_rd_index_o(smooth_face), .face_rd_data_i(edge_i ? edge_points : points),
       .write_valid_o(smooth_wr), .write_vertex_o(smooth_wr_vertex), .write_move_o(smooth_move),
@@ -407,7 +417,7 @@ module refine #(
 
   split #(
       .VW(VW), .QW(QW), .BANK_BITS(BANK_BITS),
-      .WINDOW_BITS(WINDOW_BITS), .LANES(LANES), .READ_LATENCY(READ_LATENCY), .OPS(OPS)
+      .WINDOW_BITS(WINDOW_BITS), .LANES(LANES), .READ_LATENCY(READ_LATENCY), .OPS(OPS), .PARITY(PARITY)
   ) u_split (
       .clk_i, .rst_i, .start_i(kick_split_i), .pass_i, .pass_take_i(item_in_o[0]), .pass_valid_i(pass_valid),
       .pass_ready_o(pass_ready), .pass_item_i(pass_item), .pass_origin_i(pass_origin),
@@ -433,7 +443,7 @@ module refine #(
       .op_candidate_o(split_candidate_o), .op_vertex_o(split_op_vertex_o),
       .op_sides_o(split_sides_o), .op_first_o(split_first_o), .op_last_o(split_last_o),
       .busy_o(busy_o[4]), .starved_o(starved_o[4]), .blocked_o(blocked_o[4]),
-      .item_in_o(item_in_o[4]), .item_out_o(item_out_o[8]), .conflict_o(split_conflict)
+      .item_in_o(item_in_o[4]), .item_out_o(item_out_o[8]), .conflict_o(split_conflict), .fault_o(split_fault)
   );
 
   assign {item_out_o[9], item_out_o[5], item_out_o[3], item_out_o[1]} = 4'd0;
@@ -442,5 +452,9 @@ module refine #(
   assign conflict_o = 4'(classify_conflict[0]) + 4'(classify_conflict[1]) + 4'(select_conflict[0]) +
       4'(select_conflict[1]) + 4'(guard_conflict[0]) + 4'(guard_conflict[1]) +
       4'(split_conflict[0]) + 4'(split_conflict[1]) + 4'(split_conflict[2]);
+
+  // --- Parity ------------------------------------------------------------------------------------
+  assign fault_o = vertices_fault || records_fault || faces_fault || classify_fault || select_fault ||
+      guard_fault || smooth_fault || split_fault;
 
 endmodule

@@ -8,6 +8,7 @@
 //     keeps in_valid_i low: then nothing here moves, and the memory is not touched.
 //   * update_i, touched_i: accumulate writes a word of the bank; its vertex was touched before in
 //     this generation. One that was not starts from nothing.
+//   * ring_void_o: the word that a bank gives now is not used.
 //   * Addends are S(33.0): at most 6 positions, below 6 * 2^30 in magnitude.
 //
 // Memory: ring word {nonquad, count[7:0], M of w, z, y, x: S(41.0) each}; 255 addends are below
@@ -36,6 +37,7 @@ module ring #(
     output logic [              (1<<BANK_BITS)-1:0] ring_rd_en_o,
     output logic [(VW-BANK_BITS)*(1<<BANK_BITS)-1:0] ring_rd_row_o,
     input  logic [          177*(1<<BANK_BITS)-1:0] ring_rd_data_i,
+    output logic [              (1<<BANK_BITS)-1:0] ring_void_o,
     output logic [              (1<<BANK_BITS)-1:0] ring_wr_en_o,
     output logic [(VW-BANK_BITS)*(1<<BANK_BITS)-1:0] ring_wr_row_o,
     output logic [          177*(1<<BANK_BITS)-1:0] ring_wr_data_o
@@ -91,11 +93,12 @@ module ring #(
   for (genvar b = 0; b < BANKS; b++) begin : g_bank
     logic [ROW_BITS-1:0] row_q, written_row_q;
     logic [WORD-1:0] data_q;
-    logic written_q;
+    logic written_q, forward;
     logic [176:0] old_ring, new_ring, written_ring_q;
 
-    assign old_ring = !touched_i[b] ? 177'd0 :
-        written_q && written_row_q == row_q ? written_ring_q : ring_rd_data_i[b*177+:177];
+    assign forward = written_q && written_row_q == row_q;
+    assign old_ring = !touched_i[b] ? 177'd0 : forward ? written_ring_q : ring_rd_data_i[b*177+:177];
+    assign ring_void_o[b] = update_q[b] && (!touched_i[b] || forward);
 
     always_comb begin
       new_ring = '0;

@@ -18,7 +18,8 @@ module select #(
     parameter int unsigned BANK_BITS = 3,
     parameter int unsigned WINDOW_BITS = 3, // items that compete for banks
     parameter int unsigned LANES = 8, // words a cycle
-    parameter int unsigned READ_LATENCY = 1 // of a gather
+    parameter int unsigned READ_LATENCY = 1, // of a gather
+    parameter bit PARITY = 1'b1
 ) (
     input logic clk_i,
     input logic rst_i,
@@ -65,7 +66,8 @@ module select #(
     output logic       blocked_o,
     output logic       item_in_o,
     output logic       item_out_o,
-    output logic [1:0] conflict_o
+    output logic [1:0] conflict_o,
+    output logic fault_o
 );
 
   // --- Fetch and gather -----------------------------------------------------------------------------
@@ -187,8 +189,9 @@ module select #(
   fold #(
       .ITEM_WIDTH(4 * VW + 1),
       .RESULT_WIDTH(1),
-      .MARGIN((1 << WINDOW_BITS) + 24)
+      .MARGIN((1 << WINDOW_BITS) + 24), .PARITY(PARITY)
   ) u_fold (
+      .fault_o(fault_o),
       .clk_i,
       .rst_i,
       .stall_o(stall),

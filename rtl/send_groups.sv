@@ -15,7 +15,8 @@
 
 module send_groups #(
     parameter int unsigned VW = 19,  // width of a vertex number
-    parameter int unsigned GROUPS = 8  // that wait for emit; 8 or more
+    parameter int unsigned GROUPS = 8,  // that wait for emit; 8 or more
+    parameter bit PARITY = 1'b1
 ) (
     input logic clk_i,
     input logic rst_i,
@@ -35,7 +36,8 @@ module send_groups #(
     output logic [VW-1:0] single_vertex_o,
     output logic [ 127:0] single_position_o,
 
-    output logic active_o
+    output logic active_o,
+    output logic fault_o
 );
 
   localparam int unsigned WORD = VW + 128;  // {vertex, position}
@@ -86,8 +88,9 @@ module send_groups #(
   /* verilator lint_off PINCONNECTEMPTY */
   fifo #(
       .WIDTH(4 * WORD),
-      .DEPTH(GROUPS)
+      .DEPTH(GROUPS), .PARITY(PARITY)
   ) u_groups (
+      .fault_o(fault_o),
       .clk_i, .rst_i, .in_valid_i(count_q != 3'd0 && full),
       .in_ready_o(),  // stall_o keeps it high
       .in_data_i(window[0+:4*WORD]), .out_valid_o(group_valid_o), .out_ready_i(group_ready_i),

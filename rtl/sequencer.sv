@@ -15,6 +15,9 @@
 //   * Left out: select and, after generation 0, guard in a uniform run; guard where nothing is
 //     selected; smooth where no vertex moves or leaves.
 //   * The settings of a generation hold from its classify to the end of its split.
+//   * fault_i, a memory gave a word with wrong parity: the stages of the generations are put back by abort_o,
+//     for one cycle, and the view ends with a header, if it had none, and a trailer that says so. While a
+//     packet comes in, it is taken to its end first; if it is refused, that is what the trailer says.
 
 module sequencer #(
     parameter int unsigned VW = 19,
@@ -30,6 +33,10 @@ module sequencer #(
     output logic        busy_o,
     output logic [ 7:0] status_o,
     output logic [31:0] position_o,
+
+    // memories
+    input  logic fault_i,
+    output logic abort_o,
 
     // receive, transform, quantize
     output logic        kick_receive_o,
@@ -105,6 +112,7 @@ module sequencer #(
 
   localparam logic [7:0] OK = hs_pkg::STATUS_OK;
   localparam logic [7:0] STOPPED = hs_pkg::STATUS_STOPPED;
+  localparam logic [7:0] FAULT = hs_pkg::STATUS_MEMORY_FAULT;
 
   typedef enum logic [3:0] {
     RECEIVE,
@@ -128,6 +136,7 @@ module sequencer #(
   logic [QW+1:0] boundary_q;  // uniform runs: boundary edges at the latest even generation
   logic [VW:0] vertices_q;
   logic side_q, finish_q, busy_q;
+  logic faulty_q, header_sent_q;
 
   // --- What this generation's step is -------------------------------------------------------------------
   always_comb begin
@@ -165,7 +174,7 @@ module sequencer #(
   assign items_o = items_q;
   assign vertices_o = vertices_q;
   assign new_o = (VW + 1)'(refined);
-  assign refused_o = status_q != OK && status_q != STOPPED;
+  assign refused_o = status_q != OK && status_q != STOPPED && status_q != FAULT;
 
   // Runs without borders whose every step refines all there is; and of these, those in which vertices
   // leave in the last step alone.
@@ -207,7 +216,7 @@ module sequencer #(
   assign op_valid_o = state_q == HEADER || state_q == TRAILER;
   assign op_trailer_o = state_q == TRAILER;
   // A refused view has reached none, whatever the settings of its header, or of the view before, say.
-  assign op_generation_o = last_o && !refused_o ? generation_q + 8'd1 : generation_q;
+  assign op_generation_o = last_o && !refused_o && status_q != FAULT ? generation_q + 8'd1 : generation_q;
   assign view_done_o = state_q == DRAIN && emit_done_i;
   assign busy_o = busy_q;
   assign status_o = status_q;
@@ -235,6 +244,8 @@ module sequencer #(
         side_q <= 1'b0;
         finish_q <= 1'b0;
         valence_error_q <= 1'b0;
+        header_sent_q <= 1'b0;
+        if (fault_i && busy_q) faulty_q <= 1'b1;
         if (received_q && !vertices_done_q && !quantizing_q) begin
           received_q <= 1'b0;
           status_q <= receive_status_i;
@@ -245,6 +256,11 @@ module sequencer #(
           boundary_q <= (QW + 2)'(boundary_i);
           kick_q <= 1'b1;
           state_q <= receive_status_i == OK ? CLASSIFY : HEADER;
+          if (receive_status_i == OK && (faulty_q || fault_i)) begin
+            status_q <= FAULT;
+            state_q  <= HEADER;
+          end
+          faulty_q <= 1'b0;
         end
       end
 
@@ -268,7 +284,8 @@ module sequencer #(
       HEADER:
       if (op_ready_i) begin
         kick_q <= 1'b1;
-        if (refused_o) state_q <= TRAILER;
+        header_sent_q <= 1'b1;
+        if (refused_o || status_q == FAULT) state_q <= TRAILER;
         else if (finish_q) state_q <= SMOOTH;
         else state_q <= uniform_i ? GUARD : SELECT;
       end
@@ -321,6 +338,17 @@ module sequencer #(
       default: state_q <= RECEIVE;
     endcase
 
+    // What is on its way to emit is overtaken by the trailer, and then gone.
+    abort_o <= 1'b0;
+    if (fault_i && state_q != RECEIVE && state_q != DRAIN) begin
+      abort_o <= 1'b1;
+      kick_q <= 1'b0;
+      status_q <= FAULT;
+      position_q <= hs_pkg::NO_POSITION;
+      if (state_q == HEADER) state_q <= op_ready_i ? TRAILER : HEADER;
+      else if (state_q != TRAILER) state_q <= header_sent_q ? TRAILER : HEADER;
+    end
+
     if (rst_i) begin
       state_q <= RECEIVE;
       kick_q <= 1'b1;
@@ -328,6 +356,9 @@ module sequencer #(
       vertices_done_q <= 1'b0;
       quantizing_q <= 1'b0;
       busy_q <= 1'b0;
+      faulty_q <= 1'b0;
+      header_sent_q <= 1'b0;
+      abort_o <= 1'b0;
       status_q <= OK;
       position_q <= hs_pkg::NO_POSITION;
       generation_q <= 8'd0;

@@ -35,7 +35,8 @@ module smooth #(
     parameter int unsigned VW = 19,  // width of a vertex number
     parameter int unsigned BANK_BITS = 3,
     parameter int unsigned OPS = 16,  // that wait for emit; 16 or more
-    parameter bit WIDE = 1'b1  // else all are picked, and leave, singly
+    parameter bit WIDE = 1'b1,  // else all are picked, and leave, singly
+    parameter bit PARITY = 1'b1
 ) (
     input logic clk_i,
     input logic rst_i,
@@ -59,6 +60,8 @@ module smooth #(
     output logic [     VW-BANK_BITS-1:0] row_rd_o,
     input  logic [13*(1<<BANK_BITS)-1:0] mark_rd_data_i,
     input  logic [   (1<<BANK_BITS)-1:0] held_rd_data_i,
+    output logic [   (1<<BANK_BITS)-1:0] row_there_o,   // as smooth_walk's
+    output logic [   (1<<BANK_BITS)-1:0] held_used_o,
 
     // position, sum, ring and sharp memories, a vertex at a time
     output logic          vertex_rd_en_o,
@@ -107,7 +110,8 @@ module smooth #(
     output logic starved_o,
     output logic blocked_o,
     output logic item_in_o,
-    output logic [1:0] item_out_o
+    output logic [1:0] item_out_o,
+    output logic fault_o
 );
 
   localparam int unsigned ROW_BITS = VW - BANK_BITS;
@@ -128,7 +132,7 @@ module smooth #(
   ) u_walk (
       .clk_i, .rst_i, .start_i, .count_i, .new_i, .odd_i, .last_i, .finish_i, .limit_i,
       .new_from_face_i, .generation_i, .active_o(walking), .waits_o(waits), .row_rd_en_o,
-      .row_rd_o, .mark_rd_data_i, .held_rd_data_i, .stall_i(stall), .single_busy_i(single_busy),
+      .row_rd_o, .mark_rd_data_i, .held_rd_data_i, .row_there_o, .held_used_o, .stall_i(stall), .single_busy_i(single_busy),
       .single_o(single), .single_vertex_o(single_vertex), .single_new_o(single_new),
       .single_move_o(single_move), .single_leave_o(single_leave),
       .single_border_o(single_border), .row_o(row), .row_number_o(row_number),
@@ -294,8 +298,9 @@ module smooth #(
   /* verilator lint_off PINCONNECTEMPTY */
   fifo #(
       .WIDTH(5 + VW + 128),
-      .DEPTH(8)
+      .DEPTH(8), .PARITY(PARITY)
   ) u_along (
+      .fault_o(along_fault),
       .clk_i,
       .rst_i,
       .in_valid_i(read_q),
@@ -328,6 +333,7 @@ module smooth #(
   // --- Send: in groups, or with limit_i one by one ------------------------------------------------
   logic [$clog2(OPS):0] send_level;
   logic [127:0] leaves_at, moved_position, rest_position;
+  logic along_fault, send_fault, groups_fault;
   logic limit_valid, rest_valid, leaves_now, groups_stall, groups_active, limit_at_level;
   logic [VW-1:0] moved_vertex, rest_vertex;
 
@@ -337,8 +343,9 @@ module smooth #(
   /* verilator lint_off PINCONNECTEMPTY */
   fifo #(
       .WIDTH(1 + VW + 128),
-      .DEPTH(OPS)
+      .DEPTH(OPS), .PARITY(PARITY)
   ) u_send (
+      .fault_o(send_fault),
       .clk_i,
       .rst_i,
       .in_valid_i(leaves_now && (limit_i || !WIDE)),
@@ -366,8 +373,9 @@ module smooth #(
 
   send_groups #(
       .VW(VW),
-      .GROUPS(OPS / 2)
+      .GROUPS(OPS / 2), .PARITY(PARITY)
   ) u_groups (
+      .fault_o(groups_fault),
       .clk_i, .rst_i, .count_i(lane_count), .lanes_i(lane), .stall_o(groups_stall),
       .end_i(!walking && !wide_q && !single_busy), .group_valid_o, .group_ready_i,
       .group_vertex_o, .group_position_o, .single_valid_o(rest_valid),
@@ -392,5 +400,6 @@ module smooth #(
   assign starved_o = active_o && !busy_o && !blocked_o;
   assign item_in_o = busy_o;
   assign item_out_o = 2'(retire) + 2'(wide_q);
+  assign fault_o = along_fault || send_fault || groups_fault;
 
 endmodule

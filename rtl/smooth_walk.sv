@@ -47,6 +47,8 @@ module smooth_walk #(
     output logic [     VW-BANK_BITS-1:0] row_rd_o,
     input  logic [13*(1<<BANK_BITS)-1:0] mark_rd_data_i,
     input  logic [   (1<<BANK_BITS)-1:0] held_rd_data_i,
+    output logic [   (1<<BANK_BITS)-1:0] row_there_o,   // vertices of the row that was read which exist,
+    output logic [   (1<<BANK_BITS)-1:0] held_used_o,   // and those whose held is looked at
 
     input logic stall_i,
     input logic single_busy_i,
@@ -86,12 +88,13 @@ module smooth_walk #(
   always_comb begin
     for (int b = 0; b < BANKS; b++) begin
       logic active, stays;
-      active = mark_rd_data_i[b*13+5+:8] == generation_i &&
-          {1'b0, row_q, BANK_BITS'(b)} < count_i;
+      row_there_o[b] = {1'b0, row_q, BANK_BITS'(b)} < count_i;
+      active = mark_rd_data_i[b*13+5+:8] == generation_i && row_there_o[b];
       border[b] = mark_rd_data_i[b*13+3];
       stays = held_rd_data_i[b] || border[b];
       move[b] = active && odd_i && !stays && !mark_rd_data_i[b*13+4] && !finish_i;
       leave[b] = active && !mark_rd_data_i[b*13+4] && (stays || last_i || finish_i);
+      held_used_o[b] = active && !border[b] && !mark_rd_data_i[b*13+4] && !finish_i && (odd_i || !last_i);
       work[b] = active && ((odd_i && !leaves_only) || leave[b]) && !done_q[b];
     end
   end

@@ -39,7 +39,8 @@ module split #(
     parameter int unsigned WINDOW_BITS = 3, // items that compete for banks
     parameter int unsigned LANES = 8, // words a cycle
     parameter int unsigned READ_LATENCY = 1, // of a gather
-    parameter int unsigned OPS = 16 // that wait for emit
+    parameter int unsigned OPS = 16, // that wait for emit
+    parameter bit PARITY = 1'b1
 ) (
     input logic clk_i,
     input logic rst_i,
@@ -138,7 +139,8 @@ module split #(
     output logic       blocked_o,
     output logic       item_in_o,
     output logic       item_out_o,
-    output logic [2:0] conflict_o
+    output logic [2:0] conflict_o,
+    output logic fault_o
 );
 
   localparam int unsigned HW = QW + 2;  // width of a half-edge's number
@@ -173,14 +175,16 @@ module split #(
   logic [4*HW-1:0] pass_twin;
   logic [15:0] pass_sharp;
   logic [7:0] pass_forced;
+  logic pass_fault, positions_fault, number_fault, write_fault;
   logic pass_candidate, pass_room, pass_enters, done;
   logic [511:0] position;
 
   /* verilator lint_off PINCONNECTEMPTY */
   fifo #(
       .WIDTH(PASS),
-      .DEPTH(512)
+      .DEPTH(512), .PARITY(PARITY)
   ) u_pass (
+      .fault_o(pass_fault),
       .clk_i, .rst_i, .in_valid_i(pass_i && pass_take_i),
       .in_ready_o(),  // classify's fold asks to stop before
       .in_data_i({record_twin_i, record_sharp_i, record_forced_i, record_candidate_i}),
@@ -190,8 +194,9 @@ module split #(
 
   fifo #(
       .WIDTH(512),
-      .DEPTH(8 << WINDOW_BITS)
+      .DEPTH(8 << WINDOW_BITS), .PARITY(PARITY)
   ) u_positions (
+      .fault_o(positions_fault),
       .clk_i, .rst_i, .in_valid_i(pass_enters), .in_ready_o(pass_room),
       .in_data_i(pass_position_i),
       .out_valid_o(),  // as the item at work
@@ -269,8 +274,9 @@ module split #(
       .QW(QW),
       .BANK_BITS(BANK_BITS),
       .REST(1 + 4 + 4 + REST),
-      .WINDOW_BITS(WINDOW_BITS), .LANES(LANES), .READ_LATENCY(READ_LATENCY)
+      .WINDOW_BITS(WINDOW_BITS), .LANES(LANES), .READ_LATENCY(READ_LATENCY), .PARITY(PARITY)
   ) u_number (
+      .fault_o(number_fault),
       .clk_i, .rst_i, .start_i, .quads_i, .odd_i, .all_i, .last_step_i(last_i), .first_new_i,
       .count_o(children_o), .active_o(number_active), .valid_i(beyond_valid),
       .stall_o(beyond_stall), .item_i(beyond_item), .refined_i(beyond_refined),
@@ -300,8 +306,9 @@ module split #(
       .VW(VW),
       .QW(QW),
       .BANK_BITS(BANK_BITS),
-      .WINDOW_BITS(WINDOW_BITS), .LANES(LANES), .OPS(OPS)
+      .WINDOW_BITS(WINDOW_BITS), .LANES(LANES), .OPS(OPS), .PARITY(PARITY)
   ) u_write (
+      .fault_o(write_fault),
       .clk_i, .rst_i, .start_i, .quads_i, .odd_i, .last_step_i(last_i), .all_i, .pass_i,
       .generation_i, .position_i(position), .lower_wr_sum_o, .upper_wr_sum_o,
       .stall_o(numbered_stall), .lanes_i(numbered_lanes), .boundary_i(boundary), .half_i(half),
@@ -325,5 +332,7 @@ module split #(
   assign starved_o = active_o && !busy_o && !blocked_o;
   assign item_in_o = busy_o;
   assign item_out_o = done;
+
+  assign fault_o = pass_fault || positions_fault || number_fault || write_fault;
 
 endmodule

@@ -22,7 +22,8 @@
 
 module split_faces #(
     parameter int unsigned VW = 19,  // width of a vertex number
-    parameter int unsigned OPS = 16  // items that wait for emit
+    parameter int unsigned OPS = 16,  // items that wait for emit
+    parameter bit PARITY = 1'b1
 ) (
     input logic clk_i,
     input logic rst_i,
@@ -66,7 +67,8 @@ module split_faces #(
     output logic [383:0] op_vertex_o,
     output logic [  7:0] op_sides_o,
     output logic         op_first_o,
-    output logic         op_last_o
+    output logic         op_last_o,
+    output logic fault_o
 );
 
   // --- What there is to send ---------------------------------------------------------------------
@@ -127,8 +129,9 @@ module split_faces #(
   /* verilator lint_off PINCONNECTEMPTY */
   fifo #(
       .WIDTH(OP_BITS),
-      .DEPTH(OPS)
+      .DEPTH(OPS), .PARITY(PARITY)
   ) u_ops (
+      .fault_o(fault_o),
       .clk_i, .rst_i, .in_valid_i(done_i && (vertex_needed || face_needed)), .in_ready_o(room),
       .in_data_i(ops), .out_valid_o(op_valid_o), .out_ready_i(take),
       .out_data_o({

@@ -29,7 +29,8 @@ module split_number #(
     parameter int unsigned WINDOW_BITS = 3, // items that compete for banks
     parameter int unsigned LANES = 8, // words a cycle
     parameter int unsigned READ_LATENCY = 1, // of a gather
-    parameter int unsigned REST = 8  // bits of an item that just go along
+    parameter int unsigned REST = 8,  // bits of an item that just go along
+    parameter bit PARITY = 1'b1
 ) (
     input logic clk_i,
     input logic rst_i,
@@ -74,7 +75,8 @@ module split_number #(
     output logic [         3:0] beyond_selected_o,
     output logic [    4*VW-1:0] beyond_number_o,    // of the new vertex
 
-    output logic conflict_o
+    output logic conflict_o,
+    output logic fault_o
 );
 
   localparam int unsigned HW = QW + 2;  // width of a half-edge's number
@@ -123,8 +125,9 @@ module split_number #(
   /* verilator lint_off PINCONNECTEMPTY */
   fifo #(
       .WIDTH(ITEM),
-      .DEPTH(2 << WINDOW_BITS)
+      .DEPTH(2 << WINDOW_BITS), .PARITY(PARITY)
   ) u_waiting (
+      .fault_o(fault_o),
       .clk_i, .rst_i, .in_valid_i(valid_i),
       .in_ready_o(),  // stall_o keeps it high
       .in_data_i({

@@ -20,7 +20,8 @@ module split_write #(
     parameter int unsigned BANK_BITS = 3,
     parameter int unsigned WINDOW_BITS = 3, // items that compete for banks
     parameter int unsigned LANES = 8, // words a cycle
-    parameter int unsigned OPS = 16 // that wait for emit
+    parameter int unsigned OPS = 16, // that wait for emit
+    parameter bit PARITY = 1'b1
 ) (
     input logic clk_i,
     input logic rst_i,
@@ -92,7 +93,8 @@ module split_write #(
     output logic         op_last_o,
 
     output logic item_out_o,
-    output logic conflict_o
+    output logic conflict_o,
+    output logic fault_o
 );
 
   localparam int unsigned HW = QW + 2;
@@ -116,8 +118,9 @@ module split_write #(
   fold #(
       .ITEM_WIDTH(ITEM),
       .RESULT_WIDTH(RESULT),
-      .MARGIN((1 << WINDOW_BITS) + 24)
+      .MARGIN((1 << WINDOW_BITS) + 24), .PARITY(PARITY)
   ) u_fold (
+      .fault_o(fold_fault),
       .clk_i,
       .rst_i,
       .stall_o,
@@ -196,12 +199,19 @@ module split_write #(
   logic [3:0] next_replaced, prev_replaced;
 
   always_comb begin
-    next_origin = {origin[0+:VW], origin[4*VW-1:VW]};
-    next_children = {children[0+:HW], children[4*HW-1:HW]};
-    next_replaced = {replaced[0], replaced[3:1]};
-    prev_children = {children[3*HW-1:0], children[3*HW+:HW]};
-    prev_replaced = {replaced[2:0], replaced[3]};
-    if (!quads_i) begin
+    next_origin = '0;
+    next_children = '0;
+    next_replaced = '0;
+    prev_children = '0;
+    prev_replaced = '0;
+    if (valid_q) begin
+      next_origin = {origin[0+:VW], origin[4*VW-1:VW]};
+      next_children = {children[0+:HW], children[4*HW-1:HW]};
+      next_replaced = {replaced[0], replaced[3:1]};
+      prev_children = {children[3*HW-1:0], children[3*HW+:HW]};
+      prev_replaced = {replaced[2:0], replaced[3]};
+    end
+    if (valid_q && !quads_i) begin
       next_origin[0+:VW] = last_q ? first_origin_q : fold_item[ORIGIN_AT+:VW];
       next_children[0+:HW] = last_q ? first_children_q : fold_item[CHILDREN_AT+:HW];
       next_replaced[0] = last_q ? first_replaced_q : fold_item[REPLACED_AT];
@@ -218,35 +228,41 @@ module split_write #(
   logic lower_conflict, upper_conflict;
 
   always_comb begin
+    lower_half = '0;
+    upper_half = '0;
+    quad = '0;
     for (int i = 0; i < 4; i++) begin
       logic next_ends, prev_ends;  // c0 or c1 is what remains of a half-quad's boundary edge
       next_ends = half && i == 1;
       prev_ends = half && i == 0;
-      lower_half[i*HALF+:HALF] = {
-        selected,
-        forced,
-        1'b0,
-        !odd_i && i % 2 == 0,  // of the children of an even step, c1 of slots 0 and 2, c0 of the
-        !odd_i ? tag : boundary[i] ? 4'd15 : sharp[i*4+:4],  // others lie on the old edge
-        prev_ends,
-        next_ends,
-        !prev_ends && !prev_replaced[i],
-        !next_ends && !next_replaced[i],
-        prev_children[i*HW+:HW],
-        next_children[i*HW+1+:HW-1],
-        1'b1,  // c1 follows c0, which is at an even place
-        number,
-        next_origin[i*VW+:VW]
-      };
-      upper_half[i*HALF+:HALF] = lower_half[i*HALF+:HALF];
-      if (boundary[i])
-        upper_half[i*HALF+:HALF] = {
-          selected, forced, 1'b1, 1'b0, 4'd0, 2'b01, 2'b00, {2 * HW{1'b0}}, VW'(0),
-          origin[i*VW+:VW]
+      if (valid_q) begin
+        lower_half[i*HALF+:HALF] = {
+          selected,
+          forced,
+          1'b0,
+          !odd_i && i % 2 == 0,  // of the children of an even step, c1 of slots 0 and 2, c0 of the
+          !odd_i ? tag : boundary[i] ? 4'd15 : sharp[i*4+:4],  // others lie on the old edge
+          prev_ends,
+          next_ends,
+          !prev_ends && !prev_replaced[i],
+          !next_ends && !next_replaced[i],
+          prev_children[i*HW+:HW],
+          next_children[i*HW+1+:HW-1],
+          1'b1,  // c1 follows c0, which is at an even place
+          number,
+          next_origin[i*VW+:VW]
         };
-      quad[i*QW+:QW] = children[i*HW+2+:QW];
+        upper_half[i*HALF+:HALF] = lower_half[i*HALF+:HALF];
+        if (boundary[i])
+          upper_half[i*HALF+:HALF] = {
+            selected, forced, 1'b1, 1'b0, 4'd0, 2'b01, 2'b00, {2 * HW{1'b0}}, VW'(0),
+            origin[i*VW+:VW]
+          };
+        quad[i*QW+:QW] = children[i*HW+2+:QW];
+      end
     end
   end
+
   // --- Half the sums that the middles of the edges are made of --------------------------------------
   localparam int unsigned WORD = 132 + HALF;  // {sums of w, z, y, x; half}
 
@@ -261,10 +277,11 @@ module split_write #(
   always_comb begin
     lower_sum = '0;
     upper_sum = '0;
-    for (int i = 0; i < 4; i++)
+    sharp_edge = '0;
+    if (pass_i && valid_q) for (int i = 0; i < 4; i++)
       sharp_edge[i] = boundary[i] || sharp[i*4+:4] == hs_pkg::SHARP_INFINITE[3:0] ||
           8'(sharp[i*4+:4]) > level;
-    if (pass_i)
+    if (pass_i && valid_q)
       for (int i = 0; i < 4; i++)
         for (int k = 0; k < 4; k++) begin
           lower_sum[i*132+k*33+:33] = 33'($signed(position_i[(i+1)%4*128+k*32+:32])) +
@@ -272,7 +289,9 @@ module split_write #(
           upper_sum[i*132+k*33+:33] = boundary[i] ? {position_i[i*128+k*32+:32], 1'b0} :
               lower_sum[i*132+k*33+:33];
         end
-    for (int i = 0; i < 4; i++) begin
+    lower_word = '0;
+    upper_word = '0;
+    if (valid_q) for (int i = 0; i < 4; i++) begin
       lower_word[i*WORD+:WORD] = {lower_sum[i*132+:132], lower_half[i*HALF+:HALF]};
       upper_word[i*WORD+:WORD] = {upper_sum[i*132+:132], upper_half[i*HALF+:HALF]};
     end
@@ -330,12 +349,14 @@ module split_write #(
   assign conflict_o = lower_conflict || upper_conflict;
 
   // --- Final faces -------------------------------------------------------------------------------
+  logic fold_fault, faces_fault;
   logic faces_over, faces_active;
 
   split_faces #(
       .VW(VW),
-      .OPS(OPS)
+      .OPS(OPS), .PARITY(PARITY)
   ) u_faces (
+      .fault_o(faces_fault),
       .clk_i, .rst_i, .quads_i, .last_step_i, .done_i(done), .over_o(faces_over), .sent_o,
       .active_o(faces_active), .first_i(first_q), .last_i(last_q), .sides_i(sides_q),
       .candidate_i(candidate), .refined_i(refined), .selected_i(selected), .number_i(number),
@@ -371,5 +392,7 @@ module split_write #(
   end
 
   assign active_o = fold_active || valid_q || lower_active || upper_active || faces_active;
+
+  assign fault_o = fold_fault || faces_fault;
 
 endmodule

@@ -17,11 +17,13 @@
 //   * The stages take turns. Single accesses go to one bank, rows to the same row of all banks. Two
 //     users of one memory's read port, or write port, in the same cycle are illegal, with the
 //     exceptions that classify's ports need: see accumulate.
-//   * Every read answers one cycle later.
+//   * Every read answers one cycle later. fault_o, a cycle behind the answer: its parity was wrong. What
+//     *_void_i and what a row's *_there_i do not cover was never of use.
 
 module vertex_memory #(
     parameter int unsigned VW = 19,
     parameter int unsigned BANK_BITS = 3,
+    parameter bit PARITY = 1'b1,
     localparam int unsigned BANKS = 1 << BANK_BITS,
     localparam int unsigned ROW_BITS = VW - BANK_BITS
 ) (
@@ -70,12 +72,14 @@ module vertex_memory #(
     input  logic [         BANKS-1:0] sum_rd_en_i,
     input  logic [ROW_BITS*BANKS-1:0] sum_rd_row_i,
     output logic [     168*BANKS-1:0] sum_rd_data_o,
+    input  logic [         BANKS-1:0] sum_void_i,       // what is read is not used
     input  logic [         BANKS-1:0] sum_wr_en_i,
     input  logic [ROW_BITS*BANKS-1:0] sum_wr_row_i,
     input  logic [     168*BANKS-1:0] sum_wr_data_i,
     input  logic [         BANKS-1:0] ring_rd_en_i,
     input  logic [ROW_BITS*BANKS-1:0] ring_rd_row_i,
     output logic [     177*BANKS-1:0] ring_rd_data_o,
+    input  logic [         BANKS-1:0] ring_void_i,
     input  logic [         BANKS-1:0] ring_wr_en_i,
     input  logic [ROW_BITS*BANKS-1:0] ring_wr_row_i,
     input  logic [     177*BANKS-1:0] ring_wr_data_i,
@@ -93,6 +97,8 @@ module vertex_memory #(
     input  logic                row_rd_en_i,
     input  logic [ROW_BITS-1:0] row_rd_i,
     output logic [   BANKS-1:0] held_rd_data_o,
+    input  logic [   BANKS-1:0] row_there_i,       // vertices of the row just read that exist,
+    input  logic [   BANKS-1:0] held_used_i,      // and those whose held is of use
     input  logic                smooth_rd_en_i,
     input  logic [      VW-1:0] smooth_rd_index_i,
     output logic [       167:0] single_sum_o,
@@ -110,8 +116,14 @@ module vertex_memory #(
     input  logic                smooth_wr_sent_i,
     input  logic [       127:0] smooth_wr_position_i,
     input  logic [         BANKS-1:0] keep_wr_en_i,    // the positions just read become old ones
-    input  logic [ROW_BITS-1:0] keep_wr_row_i
+    input  logic [ROW_BITS-1:0] keep_wr_row_i,
+
+    output logic fault_o
 );
+
+  logic fault_position, fault_sum, fault_sharp, fault_ring, fault_mark, fault_chosen, fault_held;
+  assign fault_o = fault_position || fault_sum || fault_sharp || fault_ring || fault_mark ||
+      fault_chosen || fault_held;
 
   // --- A single access, as the banks see it -------------------------------------------------------------
   function automatic logic [BANKS-1:0] bank_of(input logic en,
@@ -154,9 +166,12 @@ module vertex_memory #(
   banked_memory #(
       .WIDTH(128),
       .ROW_BITS(ROW_BITS),
-      .BANK_BITS(BANK_BITS)
+      .BANK_BITS(BANK_BITS),
+      .PARITY(PARITY)
   ) u_position (
       .clk_i,
+      .check_i({BANKS{1'b1}}),
+      .fault_o(fault_position),
       .rd_en_i(position_rd_en),
       .rd_row_i(position_rd_row),
       .rd_data_o(position_rd_data),
@@ -200,9 +215,12 @@ module vertex_memory #(
   banked_memory #(
       .WIDTH(168),
       .ROW_BITS(ROW_BITS),
-      .BANK_BITS(BANK_BITS)
+      .BANK_BITS(BANK_BITS),
+      .PARITY(PARITY)
   ) u_sum (
       .clk_i,
+      .check_i(~sum_void_i),
+      .fault_o(fault_sum),
       .rd_en_i(sum_rd_en),
       .rd_row_i(sum_rd_row),
       .rd_data_o(sum_rd_data_o),
@@ -239,9 +257,12 @@ module vertex_memory #(
   banked_memory #(
       .WIDTH(18),
       .ROW_BITS(ROW_BITS),
-      .BANK_BITS(BANK_BITS)
+      .BANK_BITS(BANK_BITS),
+      .PARITY(PARITY)
   ) u_sharp (
       .clk_i,
+      .check_i({BANKS{1'b1}}),
+      .fault_o(fault_sharp),
       .rd_en_i(sharp_rd_en),
       .rd_row_i(sharp_rd_row),
       .rd_data_o(sharp_rd_data),
@@ -253,9 +274,12 @@ module vertex_memory #(
   banked_memory #(
       .WIDTH(177),
       .ROW_BITS(ROW_BITS),
-      .BANK_BITS(BANK_BITS)
+      .BANK_BITS(BANK_BITS),
+      .PARITY(PARITY)
   ) u_ring (
       .clk_i,
+      .check_i(~ring_void_i),
+      .fault_o(fault_ring),
       .rd_en_i(ring_rd_en_i | smooth_rd_bank),
       .rd_row_i(smooth_rd_en_i ? smooth_rd_row : ring_rd_row_i),
       .rd_data_o(ring_rd_data_o),
@@ -278,6 +302,7 @@ module vertex_memory #(
   logic [VW-1:0] mark_single_index;
   logic [12:0] mark_single_data;
   logic [BANKS-1:0] all_banks;
+  logic row_rd_q;
   logic [ROW_BITS*BANKS-1:0] rows;
 
   assign leaves = smooth_wr_i && smooth_wr_sent_i;
@@ -286,13 +311,17 @@ module vertex_memory #(
   assign mark_single_data = {leaves ? generation_i : birth_generation_i, leaves || sent_i, 4'd0};
   assign all_banks = {BANKS{row_rd_en_i}};
   assign rows = {BANKS{row_rd_i}};
+  always_ff @(posedge clk_i) row_rd_q <= row_rd_en_i;
 
   banked_memory #(
       .WIDTH(13),
       .ROW_BITS(ROW_BITS),
-      .BANK_BITS(BANK_BITS)
+      .BANK_BITS(BANK_BITS),
+      .PARITY(PARITY)
   ) u_mark (
       .clk_i,
+      .check_i(row_rd_q ? row_there_i : {BANKS{1'b1}}),
+      .fault_o(fault_mark),
       .rd_en_i(mark_rd_en_i | all_banks),
       .rd_row_i(row_rd_en_i ? rows : mark_rd_row_i),
       .rd_data_o(mark_rd_data_o),
@@ -307,9 +336,12 @@ module vertex_memory #(
   banked_memory #(
       .WIDTH(1),
       .ROW_BITS(ROW_BITS),
-      .BANK_BITS(BANK_BITS)
+      .BANK_BITS(BANK_BITS),
+      .PARITY(PARITY)
   ) u_chosen (
       .clk_i,
+      .check_i({BANKS{1'b1}}),
+      .fault_o(fault_chosen),
       .rd_en_i(chosen_rd_en_i),
       .rd_row_i(chosen_rd_row_i),
       .rd_data_o(chosen_rd_data_o),
@@ -321,9 +353,12 @@ module vertex_memory #(
   banked_memory #(
       .WIDTH(1),
       .ROW_BITS(ROW_BITS),
-      .BANK_BITS(BANK_BITS)
+      .BANK_BITS(BANK_BITS),
+      .PARITY(PARITY)
   ) u_held (
       .clk_i,
+      .check_i(held_used_i),
+      .fault_o(fault_held),
       .rd_en_i(all_banks),
       .rd_row_i(rows),
       .rd_data_o(held_rd_data_o),

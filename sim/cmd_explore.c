@@ -29,7 +29,7 @@ static const hs_command COMMAND = {
         "      and puts all parts together\n\n"
         "Parameters: port (records of 128 bits in a beat), banks, window (items that compete for\n"
         "them), lanes (words a cycle), latency (of a read), ops (that wait for emit), views (in\n"
-        "flight: all views then stream through in a row).\n"
+        "flight: all views then stream through in a row), parity (of the memories: 0 or 1).\n"
         "What is done is kept in the folder: an interrupted run goes on where it was.\n"};
 
 typedef struct request {

@@ -23,7 +23,7 @@
 
 /* --- The space ----------------------------------------------------------------------------------
  */
-enum { HS_EXPLORE_NAMES = 7, HS_EXPLORE_VALUES = 16 };
+enum { HS_EXPLORE_NAMES = 8, HS_EXPLORE_VALUES = 16 };
 
 /* For each parameter of hs_model_config, by the name that --set knows, the values to try. */
 typedef struct hs_explore_space {

@@ -12,7 +12,7 @@ static const struct {
     {"port", offsetof(hs_model_config, port)},       {"banks", offsetof(hs_model_config, banks)},
     {"window", offsetof(hs_model_config, window)},   {"lanes", offsetof(hs_model_config, lanes)},
     {"latency", offsetof(hs_model_config, latency)}, {"ops", offsetof(hs_model_config, ops)},
-    {"views", offsetof(hs_model_config, views)},
+    {"views", offsetof(hs_model_config, views)},     {"parity", offsetof(hs_model_config, parity)},
 };
 
 const char *hs_explore_name(uint32_t parameter) {
@@ -52,7 +52,7 @@ static bool find(const char *text, uint32_t *parameter, hs_error *err) {
     const char *nearest = hs_nearest(name, names);
     return hs_fail(err, HS_EXIT_USAGE,
                    "--set %.60s: it should be NAME=VALUE,VALUE..., as in banks=4,8,16%s%s%s; there "
-                   "are port, banks, window, lanes, latency, ops and views",
+                   "are port, banks, window, lanes, latency, ops, views and parity",
                    text, nearest ? "; did you mean \"" : "", nearest ? nearest : "",
                    nearest ? "\"?" : "");
 }

@@ -41,6 +41,12 @@ void hs_rtl_logs(hs_rtl *rtl, hs_log *logs);
 /* Has later runs write all their transactions to *log, which each clears first; NULL: none. */
 void hs_rtl_log(hs_rtl *rtl, hs_log *log);
 
+/* For the injection of faults: later runs call `strike` before every clock's edge, with the
+ * Verilated root (Vhalfstep___024root) and the cycle from the start of the run. The RTL's
+ * assertions are off then: they hold for memories that keep what they are given. NULL: none. */
+typedef void hs_rtl_strike(void *context, void *root, uint64_t cycle);
+void hs_rtl_on_cycle(hs_rtl *rtl, hs_rtl_strike *strike, void *context);
+
 /* The RTL's parameters, as its register ARCHITECTURE gives them. */
 uint32_t hs_rtl_architecture(const hs_rtl *rtl);
 

@@ -88,6 +88,8 @@ module classify_top (
 
   assign marks_o = mark;
 
+  logic [7:0] sum_void, ring_void, row_there, held_used;
+
   /* verilator lint_off PINCONNECTEMPTY */
   vertex_memory #(
       .VW(10)
@@ -114,7 +116,8 @@ module classify_top (
       .single_sharp_o(single_sharp), .wide_rd_en_i(8'd0), .wide_rd_row_i(7'd0), .wide_rd_data_o(), .leave_wr_en_i(8'd0),
       .leave_wr_row_i(7'd0), .leave_new_i(1'b0), .smooth_wr_i(write_o), .smooth_wr_vertex_i(write_vertex_o),
       .smooth_wr_move_i(move_o), .smooth_wr_sent_i(leave_o),
-      .smooth_wr_position_i(write_position_o), .keep_wr_en_i(keep), .keep_wr_row_i(keep_row)
+      .smooth_wr_position_i(write_position_o), .keep_wr_en_i(keep), .keep_wr_row_i(keep_row),
+      .sum_void_i(sum_void), .ring_void_i(ring_void), .row_there_i(row_there), .held_used_i(held_used), .fault_o()
   );
 
   classify #(
@@ -137,7 +140,7 @@ module classify_top (
       .pass_origin_o(), .pass_position_o(), .pass_point_o(), .pass_boundary_o(),
       .point_valid_o, .point_face_o(face_o), .point_o, .front_o, .stop_o, .valence_error_o(),
       .valence_corner_o(), .busy_o(), .starved_o(), .blocked_o(), .item_in_o(), .item_out_o(),
-      .conflict_o()
+      .conflict_o(), .sum_void_o(sum_void), .ring_void_o(ring_void), .fault_o()
   );
 
   smooth #(
@@ -156,8 +159,10 @@ module classify_top (
       .leave_wr_row_o(), .group_valid_o(), .group_ready_i(1'b1), .group_vertex_o(),
       .group_position_o(), .send_valid_o,
       .send_ready_i, .send_vertex_o, .send_position_o, .send_at_level_o(at_level_o), .busy_o(),
-      .starved_o(), .blocked_o(), .item_in_o(), .item_out_o()
+      .starved_o(), .blocked_o(), .item_in_o(), .item_out_o(), .row_there_o(row_there), .held_used_o(held_used),
+      .fault_o()
   );
+
   /* verilator lint_on PINCONNECTEMPTY */
 
   logic [9:0] read_q;

@@ -54,6 +54,7 @@ module select_top #(
       .item_in_o(),
       .item_out_o(),
       .conflict_o(),
+      .fault_o(),
       .*
   );
   /* verilator lint_on PINCONNECTEMPTY */

@@ -313,7 +313,7 @@ static void a_wrong_packet_with_a_right_crc_is_refused_with_its_cause(void **sta
         {88, 0xffa10400, "generation 0 behind generation 2"},
         {92, 0xffd00000, "word 92 (end, last generation): no trailer before the last record"},
         {92, 0xffc00100, "sets reserved bits"},
-        {92, 0xffc00002, "2 is no status"},
+        {92, 0xffc00003, "3 is no status"},
         {92, 0xffc00010, "a refused view (BAD_MAGIC) has a block exponent"},
         {93, 0, "word 93 (trailer, position): position 0x00000000 with status OK"},
         {94, 10, "word 94 (trailer, vertices sent): it says 10, the packet has 11"},

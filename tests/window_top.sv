@@ -49,11 +49,13 @@ module window_top (
       .out_data_o, .conflict_o(read_conflict_o), .active_o(read_active_o)
   );
 
+  /* verilator lint_off PINCONNECTEMPTY */
   banked_memory #(
       .WIDTH(8), .ROW_BITS(3), .BANK_BITS(3)
   ) u_memory (
       .clk_i, .rd_en_i(rd_en), .rd_row_i(rd_row), .rd_data_o(rd_data), .wr_en_i(wr_en),
-      .wr_row_i(wr_row), .wr_data_i(wr_data)
+      .wr_row_i(wr_row), .wr_data_i(wr_data), .check_i(8'hff), .fault_o()
   );
+  /* verilator lint_on PINCONNECTEMPTY */
 
 endmodule
