@@ -96,7 +96,8 @@ sanitize: ## the tests of the C code under ASan and UBSan
 sanitized: $(SANITIZED:%=$(BUILD)/test_%)
 	@ASAN_OPTIONS=allocator_may_return_null=1 LSAN_OPTIONS=suppressions=tests/leaks.supp:print_suppressions=0 TEST_SECONDS=1200 tests/run $^
 
-LINT_C := $(wildcard model/*.[ch] sim/*.[ch] tests/*.[ch])
+LINT_C := $(wildcard model/*.[ch] sim/*.[ch] tests/*.[ch] tests/*/*.[ch])
+LINT_CPP := $(wildcard sim/*.cpp tests/*.cpp tests/*/*.cpp)
 lint: rtl/hs_pkg.sv docs/reference.md ## Verilator, Yosys, clang-format, cppcheck, licence lines
 	@for r in 1 2 4; do echo "verilator -Wall, $$r records a beat"; \
 	    verilator --lint-only -Wall -GPORT_RECORDS=$$r -f rtl/files.f --top-module halfstep || exit 1; done
@@ -113,19 +114,19 @@ lint: rtl/hs_pkg.sv docs/reference.md ## Verilator, Yosys, clang-format, cppchec
 	@test "$$(grep -v hs_pkg rtl/files.f)" = "$$(ls rtl/*.sv | grep -v hs_pkg)" || \
 	    { echo "rtl/files.f does not list every module"; exit 1; }
 	@echo "clang-format"
-	@clang-format --dry-run -Werror $(LINT_C) $(wildcard sim/*.cpp tests/*.cpp)
+	@clang-format --dry-run -Werror $(LINT_C) $(LINT_CPP)
 	@echo "cppcheck"
 	@cppcheck -q --error-exitcode=1 --std=c11 --enable=warning,performance,portability --inline-suppr \
 	    --suppress=missingIncludeSystem -Imodel -Isim $(wildcard model/*.c sim/*.c)
 	@echo "licence lines"
-	@! git ls-files model sim rtl tests Makefile | grep -E '\.(c|h|cpp|sv|svh|mk|def)$$|Makefile|tests/(run|parity_run|slurm_loopback|formal/prove)$$' | \
+	@! git ls-files model sim rtl tests Makefile | grep -vE '\.(txt|gp|supp|breaks|f)$$|^tests/corpus/|hs_pkg.sv$$' | \
 	    xargs grep -L SPDX-License-Identifier | grep .
 	@git diff --exit-code --stat rtl/hs_pkg.sv docs/reference.md || \
 	    { echo "generated files differ from model/definitions.def: commit them"; exit 1; }
 	@echo "lint: clean"
 
 format: ## clang-format, in place
-	clang-format -i $(LINT_C) $(wildcard sim/*.cpp tests/*.cpp)
+	clang-format -i $(LINT_C) $(LINT_CPP)
 
 clean: ## removes build/ and out/
 	rm -rf $(BUILD) out
