@@ -2,11 +2,14 @@
 #define _GNU_SOURCE
 #include "file.h"
 
+#include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
+#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -40,31 +43,109 @@ static const char *remedy_of(int cause) {
     }
 }
 
-static bool write_failed(const char *path, int cause, hs_error *err) {
+bool hs_file_unwritten(const char *path, int cause, hs_error *err) {
+    if (cause == ENOMEM) return exhausted(err, path);
+    if (cause == 0) cause = EIO;
     return hs_fail(err, HS_EXIT_FILE, PATH ": cannot write: %s; %s", path, strerror(cause),
                    remedy_of(cause));
 }
 
+/* The temporary files of this process, for hs_file_remove_all; one that finds no place is left to
+ * the next writer of its path. */
+enum { PENDING = 16 };
+static char *_Atomic pending[PENDING];
+
+static void note_pending(char *name) {
+    for (int i = 0; i < PENDING; i++) {
+        char *none = NULL;
+        if (atomic_compare_exchange_strong(&pending[i], &none, name)) return;
+    }
+}
+
+static void forget_pending(char *name) {
+    for (int i = 0; i < PENDING; i++) {
+        char *mine = name;
+        if (atomic_compare_exchange_strong(&pending[i], &mine, NULL)) return;
+    }
+}
+
+void hs_file_remove_all(void) {
+    for (int i = 0; i < PENDING; i++) {
+        const char *name = atomic_load(&pending[i]);
+        if (name) unlink(name);
+    }
+}
+
+/* Whether nobody writes this temporary file any more: its writer holds a lock on it. */
+static bool is_stale(const char *name) {
+    const int descriptor = open(name, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+    if (descriptor < 0) return errno == ENOENT;
+    const bool stale = flock(descriptor, LOCK_EX | LOCK_NB) == 0;
+    close(descriptor);
+    return stale;
+}
+
+#define PARTIAL ".partial-"
+
+/* Removes what writers of path that were killed have left beside it: PATH.partial-PID-NUMBER, and
+ * files whose names begin so. What cannot be removed stays. */
+static void remove_stale(const char *path) {
+    const char *slash = strrchr(path, '/'), *base = slash ? slash + 1 : path;
+    const size_t folder = (size_t)(base - path), length = strlen(base);
+    char name[PATH_MAX], stem[PATH_MAX];
+    if (folder >= sizeof name - NAME_MAX - 1) return;
+    memcpy(name, path, folder);
+    name[folder] = 0;
+    DIR *all = opendir(folder ? name : ".");
+    if (!all) return;
+    for (const struct dirent *entry; (entry = readdir(all)) != NULL;) {
+        const char *own = entry->d_name + length + strlen(PARTIAL);
+        if (strncmp(entry->d_name, base, length) != 0 ||
+            strncmp(entry->d_name + length, PARTIAL, strlen(PARTIAL)) != 0)
+            continue;
+        const size_t numbers = strspn(own, "0123456789-");
+        snprintf(name + folder, sizeof name - folder, "%s", entry->d_name);
+        snprintf(stem, sizeof stem, "%.*s", (int)(folder + (size_t)(own - entry->d_name) + numbers),
+                 name);
+        if (numbers && is_stale(stem)) unlink(name);
+    }
+    closedir(all);
+}
+
+/* Locks an open temporary file; false if it was removed meanwhile as if it were stale. */
+static bool hold(int descriptor) {
+    struct stat status;
+    flock(descriptor, LOCK_EX); /* where files have no locks, none is taken for stale either */
+    return fstat(descriptor, &status) == 0 && status.st_nlink > 0;
+}
+
 /* Opens a file beside file->path that did not exist; its name says whose it is. */
 static FILE *open_temporary(hs_file *file) {
+    remove_stale(file->path);
     for (unsigned attempt = 0; attempt < 1000; attempt++) {
         char *name;
-        if (asprintf(&name, "%s.partial-%ld-%u", file->path, (long)getpid(), attempt) < 0) {
+        if (asprintf(&name, "%s" PARTIAL "%ld-%u", file->path, (long)getpid(), attempt) < 0) {
             errno = ENOMEM;
             return NULL;
         }
         int descriptor = open(name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        int cause = errno;
         if (descriptor >= 0) {
-            FILE *stream = fdopen(descriptor, "wb");
+            note_pending(name);
+            const bool held = hold(descriptor);
+            FILE *stream = held ? fdopen(descriptor, "wb") : NULL;
+            cause = held ? errno : EEXIST;
             if (stream != NULL) {
                 file->temporary = name;
                 return stream;
             }
             close(descriptor);
             unlink(name);
+            forget_pending(name);
         }
         free(name);
-        if (errno != EEXIST) return NULL;
+        errno = cause;
+        if (cause != EEXIST) return NULL;
     }
     return NULL;
 }
@@ -82,7 +163,7 @@ bool hs_file_create(hs_file *file, const char *path, hs_error *err) {
     struct stat status;
     const bool standard = strcmp(path, "-") == 0;
     bool exists = !standard && stat(path, &status) == 0;
-    if (exists && S_ISDIR(status.st_mode)) return write_failed(path, EISDIR, err);
+    if (exists && S_ISDIR(status.st_mode)) return hs_file_unwritten(path, EISDIR, err);
 
     /* Renaming onto a link would replace the link, onto a device the device. */
     file->path = exists ? realpath(path, NULL) : NULL;
@@ -97,9 +178,30 @@ bool hs_file_create(hs_file *file, const char *path, hs_error *err) {
     if (file->stream == NULL) {
         int cause = errno;
         hs_file_abandon(file);
-        return cause == ENOMEM ? exhausted(err, path) : write_failed(path, cause, err);
+        return hs_file_unwritten(path, cause, err);
     }
     return true;
+}
+
+const char *hs_file_temporary(const hs_file *file) {
+    return file->temporary;
+}
+
+bool hs_file_reopen(hs_file *file, hs_error *err) {
+    fclose(file->stream); /* and with it the lock, which may be on the same file */
+    file->stream = NULL;
+    const int descriptor = open(file->temporary, O_RDWR | O_CLOEXEC);
+    if (descriptor >= 0 && hold(descriptor)) file->stream = fdopen(descriptor, "r+b");
+    if (file->stream != NULL) return true;
+    hs_file_unwritten(file->path, errno, err);
+    if (descriptor >= 0) close(descriptor);
+    return false;
+}
+
+static void forget_temporary(hs_file *file) {
+    if (file->temporary != NULL) forget_pending(file->temporary);
+    free(file->temporary);
+    file->temporary = NULL;
 }
 
 bool hs_file_commit(hs_file *file, hs_error *err) {
@@ -115,10 +217,9 @@ bool hs_file_commit(hs_file *file, hs_error *err) {
         cause = errno;
     }
     if (good) {
-        free(file->temporary);
-        file->temporary = NULL;
+        forget_temporary(file);
     } else {
-        write_failed(file->path, cause != 0 ? cause : EIO, err);
+        hs_file_unwritten(file->path, cause, err);
     }
     hs_file_abandon(file);
     return good;
@@ -127,7 +228,7 @@ bool hs_file_commit(hs_file *file, hs_error *err) {
 void hs_file_abandon(hs_file *file) {
     if (file->stream != NULL) fclose(file->stream);
     if (file->temporary != NULL) unlink(file->temporary);
-    free(file->temporary);
+    forget_temporary(file);
     free(file->path);
     *file = (hs_file){NULL, NULL, NULL};
 }
@@ -170,6 +271,7 @@ bool hs_file_read(const char *path, size_t limit, uint8_t **bytes, size_t *size,
     *bytes = NULL;
     *size = 0;
     FILE *stream = fopen(path, "rb");
+    if (stream == NULL && errno == ENOMEM) return exhausted(err, path);
     if (stream == NULL)
         return hs_fail(err, HS_EXIT_FILE, PATH ": cannot read: %s; check the name and permissions",
                        path, strerror(errno));
@@ -209,4 +311,18 @@ bool hs_folder_make(const char *path, hs_error *err) {
                            strerror(cause == EEXIST ? ENOTDIR : cause));
         }
     return true;
+}
+
+bool hs_folder_lock(const char *path, int *lock, hs_error *err) {
+    *lock = open(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (*lock < 0 || flock(*lock, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return true;
+    hs_folder_unlock(lock);
+    return hs_fail(
+        err, HS_EXIT_FILE,
+        PATH ": another process is at work in this folder; wait for it, or choose another", path);
+}
+
+void hs_folder_unlock(int *lock) {
+    if (*lock >= 0) close(*lock);
+    *lock = -1;
 }

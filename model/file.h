@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
  * Whole files. Reading takes a file into memory; writing makes it appear whole or not at all: what
- * is written goes to a temporary file beside the target, which takes the target's name at the end.
+ * is written goes to a temporary file beside the target, PATH.partial-PID-NUMBER, which takes the
+ * target's name at the end. Its writer holds a lock on it; if the writer was killed, the next one
+ * of the same path removes it.
  *
  *     hs_file file;
  *     if (!hs_file_create(&file, path, err))
@@ -32,6 +34,9 @@ typedef struct hs_file {
     char *temporary; /* NULL if the target is written directly: a terminal, a pipe, a device */
 } hs_file;
 
+/* Says that path cannot be written; cause is the errno, 0 if it is not known. Returns false. */
+bool hs_file_unwritten(const char *path, int cause, hs_error *err);
+
 /* Begins to write path; "-" is standard output. On failure *file is empty and nothing was created.
  */
 bool hs_file_create(hs_file *file, const char *path, hs_error *err);
@@ -43,8 +48,23 @@ bool hs_file_commit(hs_file *file, hs_error *err);
 /* Gives up: removes the temporary file; path is as it was. An empty *file may be abandoned. */
 void hs_file_abandon(hs_file *file);
 
+/* For a writer that opens files by name: the name to give it, NULL if the target is written
+ * directly. It may put a file of its own there; hs_file_reopen then holds on to that one, and
+ * hs_file_commit makes it the target. */
+const char *hs_file_temporary(const hs_file *file);
+bool hs_file_reopen(hs_file *file, hs_error *err);
+
+/* Removes the temporary files of all that this process writes; for the handler of a signal that
+ * ends it. */
+void hs_file_remove_all(void);
+
 /* Makes a folder, and those above it, where they are not there. */
 bool hs_folder_make(const char *path, hs_error *err);
+
+/* Takes a folder for this process: false while another one has taken it. A folder that knows no
+ * locks is taken by anybody. *lock is -1 when there is nothing to unlock. */
+bool hs_folder_lock(const char *path, int *lock, hs_error *err);
+void hs_folder_unlock(int *lock);
 
 /* Reads a whole file, pipes included. *bytes, from malloc, belongs to the caller; a zero byte that
  * *size doesn't count stands behind the last one. A file of more than limit bytes is refused. On

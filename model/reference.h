@@ -248,6 +248,7 @@ typedef struct hs_reference_comparison {
     double largest_pixels;       /* at 1024 x 1024, across or up, of vertices in the view volume */
     uint32_t largest_vertex;     /* vertex number of largest_distance */
     uint64_t components, equal;  /* of positions; those equal to the double rounded once */
+    bool exhausted;              /* memory: the vertices were not compared */
     char first[160];             /* the first difference in a sentence; "" if there is none */
 } hs_reference_comparison;
 

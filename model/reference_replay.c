@@ -327,8 +327,7 @@ bool hs_reference_compare(const hs_reference *r, const hs_output *o, hs_referenc
     c->vertices = o->vertices;
     compare_faces(r, o, c);
     if (!compare_vertex_sets(r, o, c)) {
-        c->different_vertices = o->vertices;
-        snprintf(c->first, sizeof c->first, "out of memory");
+        c->exhausted = true;
         return false;
     }
     for (uint32_t i = 0; i < o->vertices; i++)

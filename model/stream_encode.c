@@ -8,10 +8,12 @@
 #include "stream.h"
 
 #include <assert.h>
+#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 #include <zlib.h>
 
+#include "file.h"
 #include "memory.h"
 
 /* --- Words ------------------------------------------------------------------------------------ */
@@ -211,7 +213,5 @@ bool hs_frame_write(FILE *file, const hs_packet *packet, const char *name, hs_er
         count = chunk_of_words(bytes, packet->word + done, packet->words - done);
         written = fwrite(bytes, 4, count, file) == count;
     }
-    if (!written)
-        return hs_fail(err, HS_EXIT_FILE, "%s: cannot be written; is the disk full?", name);
-    return true;
+    return written || hs_file_unwritten(name, errno, err);
 }

@@ -189,12 +189,15 @@ static enum hs_parsed parse(hs_run_request *r, int argc, char **argv, hs_error *
 /* --- Before the long work -----------------------------------------------------------------------
  */
 
-/* Finds out now whether a file could be written later. */
-static bool try_file(const char *path, hs_error *err) {
+/* Finds out now whether a file could be written later; whole: only in place of a regular one. */
+static bool try_file(const char *path, bool whole, hs_error *err) {
     hs_file file;
     if (!hs_file_create(&file, path, err)) return false;
+    const bool good =
+        !whole || hs_file_temporary(&file) ||
+        hs_fail(err, HS_EXIT_FILE, "%.300s: is no regular file; choose another", path);
     hs_file_abandon(&file);
-    return true;
+    return good;
 }
 
 static bool open_views(hs_run *run, hs_error *err) {
@@ -217,7 +220,8 @@ static bool prepare(hs_run *run, hs_error *err) {
     run->depth = hs_view_depth(&r->settings, &run->mesh);
     if (r->out) {
         char path[4096];
-        if (!hs_folder_make(r->out, err)) return false;
+        if (!hs_folder_make(r->out, err) || !hs_folder_lock(r->out, &run->folder_lock, err))
+            return false;
         snprintf(path, sizeof path, "%s/views.txt", r->out);
         if (!hs_views_write(&run->views, path, err)) return false;
         if (r->engines & ~(1u << HS_ENGINE_reference)) {
@@ -226,8 +230,8 @@ static bool prepare(hs_run *run, hs_error *err) {
             if (!run->pictures) return false;
         }
     }
-    if (r->json && !try_file(r->json, err)) return false;
-    if (r->wave && !try_file(r->wave, err)) return false;
+    if (r->json && !try_file(r->json, false, err)) return false;
+    if (r->wave && !try_file(r->wave, true, err)) return false;
     run->golden = hs_golden_new(r->limits);
     if (!run->golden) return hs_fail(err, HS_EXIT_INTERNAL, "no memory for golden");
     if (r->engines >> HS_ENGINE_model & 1) {
@@ -302,7 +306,8 @@ int hs_command_run(int argc, char **argv, hs_error *err) {
     if (parsed == HS_PARSED_WRONG) return err->code;
 
     const bool report_on_stdout = request.json && strcmp(request.json, "-") == 0;
-    hs_run run = {.request = &request, .table = report_on_stdout ? stderr : stdout};
+    hs_run run = {
+        .request = &request, .table = report_on_stdout ? stderr : stdout, .folder_lock = -1};
     hs_progress_start(&run.progress, request.quiet);
     const bool good = run_all(&run, err);
     hs_progress_clear(&run.progress);
@@ -318,5 +323,6 @@ int hs_command_run(int argc, char **argv, hs_error *err) {
     hs_golden_free(run.golden);
     hs_views_free(&run.views);
     hs_mesh_free(&run.mesh);
+    hs_folder_unlock(&run.folder_lock);
     return code;
 }

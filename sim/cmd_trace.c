@@ -9,7 +9,7 @@
 
 #include "commands.h"
 #include "compare.h"
-#include "file.h"
+#include "json_file.h"
 #include "options.h"
 #include "trace.h"
 
@@ -88,12 +88,8 @@ static bool make_trace(const char *folder, hs_error *err) {
     bool good = expected && hs_stream_file_write(&trace.input, path, err);
     hs_file file;
     snprintf(path, sizeof path, "%s/expected.json", folder);
-    good = good && hs_file_create(&file, path, err);
-    if (good) {
-        json_dumpf(expected, file.stream, JSON_INDENT(1));
-        fputc('\n', file.stream);
-        good = hs_file_commit(&file, err);
-    }
+    good = good && hs_file_create(&file, path, err) &&
+           hs_json_commit(expected, JSON_INDENT(1), &file, err);
     if (good)
         printf("%s: made, %u view%s\n", folder, trace.input.packets,
                trace.input.packets == 1 ? "" : "s");
@@ -169,6 +165,10 @@ static bool check_view(const char *folder, size_t view, json_t *expected, json_t
 
 static bool check_expected(const char *folder, json_t *expected, json_t *actual, hs_error *err) {
     json_t *wanted = json_object_get(expected, "views"), *views = json_object_get(actual, "views");
+    if (!json_equal(json_object_get(expected, "stream"), json_object_get(actual, "stream")))
+        return hs_fail(err, HS_EXIT_DIFFERENT,
+                       "%.300s: expected.json is of another stream version; make the trace again",
+                       folder);
     if (json_array_size(wanted) != json_array_size(views))
         return hs_fail(err, HS_EXIT_DIFFERENT,
                        "%.300s: expected.json has %zu views, input.hss %zu; make the trace again",
@@ -234,7 +234,10 @@ static bool judge_packet(const char *path, const hs_trace *trace, uint32_t i, hs
         const hs_word_comparison c = hs_compare_words(&wanted, sent);
         *words += c.compared;
         char text[400];
-        if (c.different) {
+        if (c.compared == 0) {
+            good = hs_fail(err, HS_EXIT_DIFFERENT, "%.200s, view %u: no word was compared", path,
+                           in->view);
+        } else if (c.different) {
             hs_compare_describe(&wanted, sent, c.first, "yours", text, sizeof text);
             good = hs_fail(err, HS_EXIT_DIFFERENT,
                            "%.100s, view %u: %llu of %llu words differ; first %s", path, in->view,

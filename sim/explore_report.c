@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include <inttypes.h>
-#include <jansson.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "explore.h"
-#include "file.h"
+#include "json_file.h"
 
 /* --- What follows from a row --------------------------------------------------------------------
  */
@@ -103,26 +102,31 @@ static json_t *count_or_null(uint64_t count) {
     return count == HS_NO_CYCLE ? json_null() : json_integer((json_int_t)count);
 }
 
-static json_t *stages_of(const hs_explore_row *row) {
+/* Without memory, *good becomes false. */
+static void put(json_t *object, const char *key, json_t *value, bool *good) {
+    if (json_object_set_new(object, key, value) != 0) *good = false;
+}
+
+static json_t *stages_of(const hs_explore_row *row, bool *good) {
     json_t *stages = json_object();
     for (uint32_t s = 0; s < HS_STAGES; s++) {
         json_t *stage = json_object();
         for (uint32_t a = 0; a < HS_ACTIVITIES; a++)
-            json_object_set_new(
-                stage, hs_activity_name(a),
-                json_integer((json_int_t)row->value[HS_EXPLORE_ACTIVITY + s * HS_ACTIVITIES + a]));
-        json_object_set_new(stages, hs_stage_name(s), stage);
+            put(stage, hs_activity_name(a),
+                json_integer((json_int_t)row->value[HS_EXPLORE_ACTIVITY + s * HS_ACTIVITIES + a]),
+                good);
+        put(stages, hs_stage_name(s), stage, good);
     }
     return stages;
 }
 
-static json_t *point_of(const hs_explore_result *r, uint64_t point, uint64_t stream) {
+static json_t *point_of(const hs_explore_result *r, uint64_t point, uint64_t stream, bool *good) {
     const hs_explore_row *row = &r->row[point];
     const uint64_t *v = row->value;
     const hs_model_config config = hs_explore_config(r->space, point);
     json_t *set = json_object();
     for (uint32_t p = 0; p < HS_EXPLORE_NAMES; p++)
-        json_object_set_new(set, hs_explore_name(p), json_integer(hs_explore_value(&config, p)));
+        put(set, hs_explore_name(p), json_integer(hs_explore_value(&config, p)), good);
     json_t *o = json_pack(
         "{s:o, s:i, s:s, s:I, s:I, s:I, s:f, s:I, s:I, s:f, s:o, s:o, s:I, s:I, s:f, s:f, s:o}",
         "set", set, "view", (int)hs_explore_view(r->space, point), "status",
@@ -135,33 +139,27 @@ static json_t *point_of(const hs_explore_result *r, uint64_t point, uint64_t str
         "conflicts", (json_int_t)v[HS_EXPLORE_CONFLICTS], "memory_bits",
         (json_int_t)hs_model_memory_bits(&config), "bytes_read_per_face",
         bytes_per_face(row, HS_EXPLORE_READ), "bytes_written_per_face",
-        bytes_per_face(row, HS_EXPLORE_WRITTEN), "stages", stages_of(row));
-    if (o && r->clock > 0)
-        json_object_set_new(o, "views_per_second", json_real(views_per_second(r, point)));
+        bytes_per_face(row, HS_EXPLORE_WRITTEN), "stages", stages_of(row, good));
+    if (r->clock > 0) put(o, "views_per_second", json_real(views_per_second(r, point)), good);
     return o;
 }
 
 bool hs_explore_write_json(const hs_explore_result *r, const char *path, hs_error *err) {
     json_t *root = json_object(), *points = json_array();
-    bool good = json_object_set_new(root, "mesh", json_string(r->mesh)) == 0;
-    if (r->clock > 0) json_object_set_new(root, "clock_mhz", json_real(r->clock));
+    bool good = true;
+    put(root, "mesh", json_string(r->mesh), &good);
+    if (r->clock > 0) put(root, "clock_mhz", json_real(r->clock), &good);
     const uint64_t views = r->space->views, count = hs_explore_points(r->space);
     for (uint64_t first = 0; first < count; first += views) {
         const uint64_t stream = stream_cycles(r, first);
         for (uint64_t point = first; good && point < first + views; point++)
-            good = json_array_append_new(points, point_of(r, point, stream)) == 0;
+            good = json_array_append_new(points, point_of(r, point, stream, &good)) == 0 && good;
     }
-    good = json_object_set_new(root, "points", points) == 0 && good;
+    put(root, "points", points, &good);
     hs_file file;
-    if (!good) {
-        hs_fail(err, HS_EXIT_INTERNAL, "%.300s: no memory for it", path);
-    } else if (hs_file_create(&file, path, err)) {
-        good = json_dumpf(root, file.stream, JSON_INDENT(1) | JSON_REAL_PRECISION(6)) == 0;
-        fputc('\n', file.stream);
-        good = hs_file_commit(&file, err) && good;
-    } else {
-        good = false;
-    }
+    if (!good) hs_fail(err, HS_EXIT_INTERNAL, "%.300s: no memory for it", path);
+    good = good && hs_file_create(&file, path, err) &&
+           hs_json_commit(root, JSON_INDENT(1) | JSON_REAL_PRECISION(6), &file, err);
     json_decref(root);
     return good;
 }

@@ -2,11 +2,13 @@
  *
  * halfstep, the program: finds the command, runs it, prints its error, exits with its code.
  */
+#include <signal.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "commands.h"
 #include "definitions.h"
+#include "file.h"
 #include "options.h"
 
 static const struct command {
@@ -86,8 +88,22 @@ static int run(int argc, char **argv, hs_error *err) {
     return fail_command(argv[1], err);
 }
 
+/* Leaves nothing half-done behind, and ends as the signal would have it. */
+static void interrupted(int number) {
+    hs_file_remove_all();
+    signal(number, SIG_DFL);
+    raise(number);
+}
+
+static void watch_signals(void) {
+    static const int ends[] = {SIGINT, SIGTERM, SIGHUP};
+    for (size_t i = 0; i < sizeof ends / sizeof *ends; i++)
+        if (signal(ends[i], SIG_IGN) != SIG_IGN) signal(ends[i], interrupted);
+}
+
 int main(int argc, char **argv) {
     hs_error err = {0};
+    watch_signals();
     int code = run(argc, argv, &err);
     if (err.text[0]) fprintf(stderr, "halfstep: %s\n", err.text);
     /* A table that nobody could read is not done. */

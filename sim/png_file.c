@@ -55,10 +55,13 @@ bool hs_png_write(const hs_picture *picture, const char *path, hs_error *err) {
     hs_file file;
     char reason[200] = "";
     if (!hs_file_create(&file, path, err)) return false;
+    errno = 0;
     if (encode(picture, file.stream, reason)) return hs_file_commit(&file, err);
+    const int cause = errno;
+    const bool unwritten = ferror(file.stream);
     hs_file_abandon(&file);
-    return hs_fail(err, HS_EXIT_FILE, "%s: cannot be written (%s); check that there is space", path,
-                   reason);
+    if (unwritten) return hs_file_unwritten(path, cause, err);
+    return hs_fail(err, HS_EXIT_INTERNAL, "%.300s: cannot be made: %s", path, reason);
 }
 
 /* --- Reading ---------------------------------------------------------------------------------- */

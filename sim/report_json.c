@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "report_json.h"
 
-#include <jansson.h>
 #include <math.h>
 #include <string.h>
 
-#include "file.h"
+#include "json_file.h"
 #include "options.h"
 #include "surface_options.h"
 
@@ -241,16 +240,9 @@ bool hs_report_write(const hs_run *run, hs_error *err) {
     hs_file file;
     bool good =
         !r.failed || hs_fail(err, HS_EXIT_INTERNAL, "%.300s: no memory for it", run->request->json);
-    if (good && hs_file_create(&file, run->request->json, err)) {
-        /* Nine digits bring every binary32 back. */
-        good = json_dumpf(root, file.stream, JSON_INDENT(1) | JSON_REAL_PRECISION(9)) == 0;
-        fputc('\n', file.stream);
-        good =
-            hs_file_commit(&file, err) &&
-            (good || hs_fail(err, HS_EXIT_FILE, "%.300s: cannot be written", run->request->json));
-    } else {
-        good = false;
-    }
+    /* Nine digits bring every binary32 back. */
+    good = good && hs_file_create(&file, run->request->json, err) &&
+           hs_json_commit(root, JSON_INDENT(1) | JSON_REAL_PRECISION(9), &file, err);
     json_decref(root);
     return good;
 }

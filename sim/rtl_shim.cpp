@@ -8,6 +8,7 @@
  * time 10c (its state) to 10c + 10, and its inputs come at 10c + 5.
  */
 #include <cstring>
+#include <exception>
 #include <memory>
 #include <new>
 #include <string>
@@ -246,23 +247,43 @@ static bool check_identity(hs_rtl *rtl, hs_error *err) {
     return true;
 }
 
-hs_rtl *hs_rtl_new(hs_limits limits, uint32_t seed, hs_error *err) {
-    auto *rtl = new (std::nothrow) hs_rtl;
-    if (!rtl) {
-        hs_fail(err, HS_EXIT_INTERNAL, "no memory for the simulation");
-        return nullptr;
+/* No exception goes up into C: what C++ throws for want of memory becomes an error. */
+template <typename Work> static bool guarded(hs_error *err, Work work) {
+    try {
+        return work();
+    } catch (const std::exception &) { /* bad_alloc, or system_error where a thread has no stack */
+        return hs_fail(err, HS_EXIT_INTERNAL, "no memory for the simulation; free some memory");
     }
+}
+
+/* Verilator's runtime does not survive it if memory ends while it builds a simulation: some hundred
+ * thousand bytes beside the pipeline's own have to be there before. */
+static bool has_memory() {
+    constexpr size_t beside = size_t{16} << 20;
+    const std::unique_ptr<char[]> room(new (std::nothrow) char[beside]);
+    return room != nullptr;
+}
+
+static bool build(hs_rtl *rtl, hs_limits limits, uint32_t seed, hs_error *err) {
+    if (!has_memory()) throw std::bad_alloc();
     rtl->limits = limits;
     rtl->context.traceEverOn(true);
     rtl->context.fatalOnError(false);
     rtl->context.randReset(2);
     rtl->context.randSeed(static_cast<int>(seed % 0x7fffffff + 1)); /* 0: chosen by the clock */
     rtl->top = std::make_unique<Vhalfstep>(&rtl->context);
-    if (!reset(rtl, err) || !check_identity(rtl, err)) {
-        hs_rtl_free(rtl);
-        return nullptr;
-    }
-    return rtl;
+    return reset(rtl, err) && check_identity(rtl, err);
+}
+
+hs_rtl *hs_rtl_new(hs_limits limits, uint32_t seed, hs_error *err) {
+    hs_rtl *rtl = nullptr;
+    if (guarded(err, [&] {
+            rtl = new hs_rtl;
+            return build(rtl, limits, seed, err);
+        }))
+        return rtl;
+    hs_rtl_free(rtl);
+    return nullptr;
 }
 
 /* Verilator's runtime asks the thread for its context, which is that of the simulation built last:
@@ -275,7 +296,7 @@ void hs_rtl_free(hs_rtl *rtl) {
     if (!rtl) return;
     enter(rtl);
     if (rtl->trace) rtl->trace->close();
-    rtl->top->final();
+    if (rtl->top) rtl->top->final();
     delete rtl;
 }
 
@@ -302,11 +323,8 @@ uint64_t hs_rtl_word_cycle(const hs_rtl *rtl, size_t word) {
     return beat < rtl->beat_cycle.size() ? rtl->beat_cycle[beat] : HS_NO_CYCLE;
 }
 
-bool hs_rtl_trace(hs_rtl *rtl, const char *path, uint64_t first, uint64_t last, hs_error *err) {
-    enter(rtl);
-    if (rtl->trace) rtl->trace->close();
-    rtl->trace.reset();
-    if (!path) return true;
+static bool open_trace(hs_rtl *rtl, const char *path, uint64_t first, uint64_t last,
+                       hs_error *err) {
     rtl->trace = std::make_unique<VerilatedFstC>();
     rtl->top->trace(rtl->trace.get(), 99);
     rtl->trace->open(path);
@@ -317,6 +335,15 @@ bool hs_rtl_trace(hs_rtl *rtl, const char *path, uint64_t first, uint64_t last, 
     rtl->trace_first = first;
     rtl->trace_last = last;
     return true;
+}
+
+bool hs_rtl_trace(hs_rtl *rtl, const char *path, uint64_t first, uint64_t last, hs_error *err) {
+    enter(rtl);
+    return guarded(err, [&] {
+        if (rtl->trace) rtl->trace->close();
+        rtl->trace.reset();
+        return !path || open_trace(rtl, path, first, last, err);
+    });
 }
 
 /* --- How long a view may take --------------------------------------------------------------------
@@ -576,7 +603,7 @@ bool hs_rtl_run(hs_rtl *rtl, const hs_packet *in, hs_stalls stalls, hs_packet *o
     snapshot after;
     if (rtl->log) hs_log_clear(rtl->log);
     logging = rtl->log ? rtl : nullptr;
-    const bool streamed = stream(rtl, in, stalls, out, report, err);
+    const bool streamed = guarded(err, [&] { return stream(rtl, in, stalls, out, report, err); });
     logging = nullptr;
     if (!streamed || !rest(rtl, in, err) || !take_snapshot(rtl, &after, err)) return false;
     if (rtl->top->m_axis_tvalid) /* late, when it was at rest already */
@@ -660,7 +687,8 @@ bool hs_rtl_stream(hs_rtl *rtl, const hs_packet *in, uint32_t count, hs_stalls s
     if (rtl->broken && !reset(rtl, err)) return false;
     rtl->broken = true;
     logging = rtl->logs ? rtl : nullptr;
-    const bool good = stream_all(rtl, in, count, stalls, out, view, cycles, err);
+    const bool good =
+        guarded(err, [&] { return stream_all(rtl, in, count, stalls, out, view, cycles, err); });
     logging = nullptr;
     if (!good || (count && !rest(rtl, in, err)) || !take_snapshot(rtl, &rtl->before, err))
         return false;

@@ -62,7 +62,7 @@ typedef struct hs_engine_result {
     uint32_t digest; /* of all its words but the last, CRC-32: hs_packet_crc */
 } hs_engine_result;
 
-/* Two engines compared. It holds if different is 0. */
+/* Two engines compared. It holds if something was compared, and nothing was different. */
 typedef struct hs_comparison {
     enum hs_engine a, b;
     const char *what; /* "words", "transactions", "counters", "faces", "positions", "pixels" */
@@ -105,6 +105,7 @@ typedef struct hs_run {
     hs_rtl *rtl;
     hs_log model_log, rtl_log; /* in use if both are */
     hs_run_pictures *pictures; /* NULL unless there is a folder */
+    int folder_lock;           /* on the folder; -1: none */
     hs_progress progress;
     FILE *table;       /* what people read: standard output, unless the report goes there */
     uint32_t done;     /* views */
@@ -117,6 +118,7 @@ typedef struct hs_run {
  * down, memory, files. *view is owned by the caller either way. */
 bool hs_run_one(hs_run *run, uint32_t number, hs_run_view *view, hs_error *err);
 void hs_run_view_free(hs_run_view *view);
+/* Whether all comparisons of the view hold. */
 bool hs_run_view_equal(const hs_run_view *view);
 
 /* Says on stderr what differs in a view and prints the command that runs it alone, with a waveform

@@ -2,6 +2,7 @@
  *
  * One view: encode the packet, run the engines on it, compare them, keep what the reports need.
  */
+#include <assert.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -9,6 +10,7 @@
 #include "file.h"
 #include "obj.h"
 #include "run.h"
+#include "wave_file.h"
 
 /* What lives only as long as the view is in work. */
 typedef struct work {
@@ -94,25 +96,19 @@ static bool run_model(work *w, hs_error *err) {
 static bool run_rtl(work *w, hs_error *err) {
     const hs_run_request *request = w->run->request;
     const uint64_t now = hs_rtl_cycle(w->run->rtl);
-    if (request->wave) {
-        char partial[4096];
-        snprintf(partial, sizeof partial, "%s.partial", request->wave);
-        if (!hs_rtl_trace(w->run->rtl, partial, now + request->wave_first, now + request->wave_last,
-                          err))
-            return false;
-    }
+    hs_file wave = {0};
+    if (request->wave && !hs_wave_start(&wave, request->wave, w->run->rtl,
+                                        now + request->wave_first, now + request->wave_last, err))
+        return false;
     hs_rtl_log(w->run->rtl, compares_cycles(w) ? &w->run->rtl_log : NULL);
     const double start = hs_seconds();
     const bool good = hs_rtl_run(w->run->rtl, &w->in, request->stalls, &w->packet[HS_ENGINE_rtl],
                                  &w->view->cycles[HS_ENGINE_rtl], err);
     w->view->engine[HS_ENGINE_rtl].seconds = hs_seconds() - start;
-    if (request->wave) {
-        char partial[4096];
-        snprintf(partial, sizeof partial, "%s.partial", request->wave);
-        hs_rtl_trace(w->run->rtl, NULL, 0, 0, err);
-        if (rename(partial, request->wave) != 0 && good)
-            return hs_fail(err, HS_EXIT_FILE, "%.300s: cannot be written; choose another place",
-                           request->wave);
+    hs_error why;
+    if (!hs_wave_end(&wave, w->run->rtl, &why) && good) {
+        *err = why;
+        return false;
     }
     if (!good) hs_run_print_rerun(w->run, w->view->number, hs_rtl_cycle(w->run->rtl) - now);
     measure_latency(w, HS_ENGINE_rtl);
@@ -179,7 +175,10 @@ static bool finish_pipeline(work *w, enum hs_engine engine, hs_error *err) {
 
 static void add_comparison(hs_run_view *view, enum hs_engine a, enum hs_engine b, const char *what,
                            uint64_t compared, uint64_t different) {
-    if (view->comparisons == HS_RUN_COMPARISONS) return;
+    assert(view->comparisons < HS_RUN_COMPARISONS);
+    if (!compared)
+        fprintf(stderr, "view %u: of %s and %s, no %s were compared\n", view->number,
+                hs_engine_name(a), hs_engine_name(b), what);
     view->comparison[view->comparisons++] = (hs_comparison){a, b, what, compared, different};
 }
 
@@ -237,15 +236,18 @@ static void compare_cycles(work *w) {
     hs_run_print_rerun(w->run, view->number, c.different ? c.cycle : HS_NO_CYCLE);
 }
 
-static void compare_reference(work *w) {
+static bool compare_reference(work *w, hs_error *err) {
     hs_run_view *view = w->view;
     hs_reference_comparison *c = &view->reference;
-    hs_reference_compare(&w->reference, &w->output[HS_ENGINE_golden], c);
+    const bool equal = hs_reference_compare(&w->reference, &w->output[HS_ENGINE_golden], c);
+    if (c->exhausted)
+        return hs_fail(err, HS_EXIT_INTERNAL, "view %u: no memory to compare reference and golden",
+                       view->number);
     add_comparison(view, HS_ENGINE_reference, HS_ENGINE_golden, "faces", c->faces,
                    c->different_faces);
     add_comparison(view, HS_ENGINE_reference, HS_ENGINE_golden, "positions", c->vertices,
-                   (uint64_t)c->different_vertices + c->beyond_bound);
-    if (c->different_faces + c->different_vertices + c->beyond_bound == 0) return;
+                   (uint64_t)c->different_vertices + c->different_at_level + c->beyond_bound);
+    if (equal) return true;
     hs_progress_clear(&w->run->progress);
     fprintf(stderr,
             "view %u: reference and golden differ: %u of %u faces, %u of %u vertices, %u beyond "
@@ -253,6 +255,7 @@ static void compare_reference(work *w) {
             view->number, c->different_faces, c->faces, c->different_vertices, c->vertices,
             c->beyond_bound, c->first);
     hs_run_print_rerun(w->run, view->number, HS_NO_CYCLE);
+    return true;
 }
 
 /* --- The view's folder --------------------------------------------------------------------------
@@ -347,7 +350,8 @@ static bool work_on(work *w, hs_error *err) {
     if (wants(w, HS_ENGINE_rtl) && !finish_pipeline(w, HS_ENGINE_rtl, err)) return false;
     if (wants(w, HS_ENGINE_reference)) {
         if (!run_reference(w, err)) return false;
-        if (wants(w, HS_ENGINE_golden) && accepted(&w->golden)) compare_reference(w);
+        if (wants(w, HS_ENGINE_golden) && accepted(&w->golden) && !compare_reference(w, err))
+            return false;
     }
     return run->request->out == NULL || write_folder(w, err);
 }
@@ -373,6 +377,6 @@ void hs_run_view_free(hs_run_view *view) {
 
 bool hs_run_view_equal(const hs_run_view *view) {
     for (uint32_t i = 0; i < view->comparisons; i++)
-        if (view->comparison[i].different) return false;
+        if (!view->comparison[i].compared || view->comparison[i].different) return false;
     return true;
 }

@@ -261,7 +261,10 @@ static bool expect_one(const hs_trace *trace, const char *folder, hs_golden *gol
                 hs_rtl_run(rtl, in, trace->stalls, &sent, &rtl_report, err);
     if (good) {
         const hs_word_comparison words = hs_compare_words(&wanted, &sent);
-        if (words.different) {
+        if (words.compared == 0) {
+            good = hs_fail(err, HS_EXIT_DIFFERENT, "%.100s, view %u: no word was compared", folder,
+                           in->view);
+        } else if (words.different) {
             char text[400];
             hs_compare_describe(&wanted, &sent, words.first, "rtl", text, sizeof text);
             good = hs_fail(err, HS_EXIT_DIFFERENT, "%.100s, view %u: %s", folder, in->view, text);
@@ -279,13 +282,17 @@ json_t *hs_trace_expect(const hs_trace *trace, const char *folder, hs_error *err
     json_t *views = json_array();
     hs_golden *golden = hs_golden_new(trace->limits);
     hs_rtl *rtl = golden ? hs_rtl_new(trace->limits, trace->stalls.seed, err) : NULL;
-    bool good = rtl != NULL;
+    bool good = rtl && views;
     if (!golden || !views) hs_fail(err, HS_EXIT_INTERNAL, "no memory for golden");
     for (uint32_t i = 0; good && i < trace->input.packets; i++)
         good = expect_one(trace, folder, golden, rtl, &trace->input.packet[i], views, err);
     hs_rtl_free(rtl);
     hs_golden_free(golden);
-    if (good) return json_pack("{s:i, s:o}", "stream", HS_STREAM_VERSION, "views", views);
-    json_decref(views);
-    return NULL;
+    if (!good) {
+        json_decref(views);
+        return NULL;
+    }
+    json_t *expected = json_pack("{s:i, s:o}", "stream", HS_STREAM_VERSION, "views", views);
+    if (!expected) hs_fail(err, HS_EXIT_INTERNAL, "no memory for what is expected");
+    return expected;
 }
