@@ -326,3 +326,12 @@ void hs_folder_unlock(int *lock) {
     if (*lock >= 0) close(*lock);
     *lock = -1;
 }
+
+bool hs_text_check(const char *text, size_t size, const char *name, int code, hs_error *err) {
+    const char *zero = size ? memchr(text, 0, size) : NULL;
+    if (!zero) return true;
+    uint32_t line = 1;
+    for (const char *c = text; c < zero; c++)
+        line += *c == '\n';
+    return hs_fail(err, code, PATH ":%u: a zero byte; it should be text", name, line);
+}

@@ -71,6 +71,10 @@ void hs_folder_unlock(int *lock);
  * failure *bytes is NULL and *size is 0. */
 bool hs_file_read(const char *path, size_t limit, uint8_t **bytes, size_t *size, hs_error *err);
 
+/* False, with its line and that exit code, if a zero byte is in a text: what is behind it would be
+ * passed over. name is the file's. */
+bool hs_text_check(const char *text, size_t size, const char *name, int code, hs_error *err);
+
 #ifdef __cplusplus
 }
 #endif

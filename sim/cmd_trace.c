@@ -133,50 +133,9 @@ static json_t *read_expected(const char *folder, hs_error *err) {
     size_t size;
     snprintf(path, sizeof path, "%s/expected.json", folder);
     if (!hs_file_read(path, JSON_LIMIT, &bytes, &size, err)) return NULL;
-    json_error_t why;
-    json_t *expected = json_loadb((const char *)bytes, size, 0, &why);
-    if (!expected)
-        hs_fail(err, HS_EXIT_STREAM, "%.200s:%d: %s; make the trace again", path, why.line,
-                why.text);
+    json_t *expected = hs_trace_expected_parse((const char *)bytes, size, path, err);
     free(bytes);
     return expected;
-}
-
-/* The first key in which a view is not as expected. */
-static bool check_view(const char *folder, size_t view, json_t *expected, json_t *actual,
-                       hs_error *err) {
-    const char *key;
-    json_t *value;
-    json_object_foreach(actual, key, value) {
-        json_t *wanted = json_object_get(expected, key);
-        if (json_equal(wanted, value)) continue;
-        char *a = wanted ? json_dumps(wanted, JSON_ENCODE_ANY | JSON_COMPACT) : NULL;
-        char *b = json_dumps(value, JSON_ENCODE_ANY | JSON_COMPACT);
-        hs_fail(err, HS_EXIT_DIFFERENT,
-                "%.200s, view %zu: %s should be %.60s, but is %.60s; if that is meant, make the "
-                "trace again",
-                folder, view, key, a ? a : "nothing", b ? b : "?");
-        free(a);
-        free(b);
-        return false;
-    }
-    return true;
-}
-
-static bool check_expected(const char *folder, json_t *expected, json_t *actual, hs_error *err) {
-    json_t *wanted = json_object_get(expected, "views"), *views = json_object_get(actual, "views");
-    if (!json_equal(json_object_get(expected, "stream"), json_object_get(actual, "stream")))
-        return hs_fail(err, HS_EXIT_DIFFERENT,
-                       "%.300s: expected.json is of another stream version; make the trace again",
-                       folder);
-    if (json_array_size(wanted) != json_array_size(views))
-        return hs_fail(err, HS_EXIT_DIFFERENT,
-                       "%.300s: expected.json has %zu views, input.hss %zu; make the trace again",
-                       folder, json_array_size(wanted), json_array_size(views));
-    for (size_t i = 0; i < json_array_size(views); i++)
-        if (!check_view(folder, i, json_array_get(wanted, i), json_array_get(views, i), err))
-            return false;
-    return true;
 }
 
 /* input.hss has to be what trace.txt makes. */
@@ -208,7 +167,7 @@ static bool check_trace(const char *folder, hs_error *err) {
     bool good = expected && hs_stream_file_read(&input, path, err) &&
                 check_input(folder, &trace, &input, err);
     if (good) actual = hs_trace_expect(&trace, folder, err);
-    good = actual && check_expected(folder, expected, actual, err);
+    good = actual && hs_trace_expected_check(expected, actual, folder, err);
     if (good) printf("%s: good, %u view%s\n", folder, input.packets, input.packets == 1 ? "" : "s");
     json_decref(expected);
     json_decref(actual);
@@ -346,7 +305,7 @@ static int run_build(int argc, char **argv, hs_error *err) {
     size_t size;
     if (!hs_file_read(argv[operand], (size_t)1 << 32, &bytes, &size, err)) return err->code;
     hs_stream_file file;
-    const bool good = hs_stream_file_build(&file, (char *)bytes, argv[operand], err) &&
+    const bool good = hs_stream_file_build(&file, (char *)bytes, size, argv[operand], err) &&
                       hs_stream_file_write(&file, argv[operand + 1], err);
     hs_stream_file_free(&file);
     free(bytes);

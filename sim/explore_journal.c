@@ -29,8 +29,10 @@ static bool take_line(const char *line, hs_explore_row *row, uint64_t points) {
     for (uint32_t c = 0; c < HS_EXPLORE_COLUMNS; c++) {
         char *end;
         errno = 0;
+        /* strtoull takes signs as well, and blanks, line feeds among them. */
+        if (*at < '0' || *at > '9') return false;
         read.value[c] = strtoull(at, &end, 10);
-        if (end == at || errno || *end != (c + 1 < HS_EXPLORE_COLUMNS ? ',' : '\n')) return false;
+        if (errno || *end != (c + 1 < HS_EXPLORE_COLUMNS ? ',' : '\n')) return false;
         at = end + 1;
     }
     if (read.value[HS_EXPLORE_POINT] >= points) return false;

@@ -90,7 +90,7 @@ bool hs_mesh_force(hs_mesh *mesh, const char *path, hs_error *err) {
     size_t size;
     if (!hs_file_read(path, FORCE_LIMIT, &bytes, &size, err)) return false;
     char *rest = (char *)bytes, *line;
-    bool good = true;
+    bool good = hs_text_check(rest, size, path, HS_EXIT_MESH, err);
     for (unsigned number = 1; good && (line = strsep(&rest, "\n")) != NULL; number++) {
         char where[300];
         snprintf(where, sizeof where, "%.250s:%u", path, number);

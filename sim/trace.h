@@ -50,8 +50,10 @@ void hs_stream_file_show(const hs_stream_file *file, FILE *text);
 
 /* Reads the text form. A word is 1 to 8 hexadecimal digits, a number with a decimal point (a
  * binary32), or `crc`, the CRC-32 of the records before. What hs_stream_file_show wrote gives the
- * same packets again. name is for messages (HS_EXIT_STREAM). */
-bool hs_stream_file_build(hs_stream_file *file, char *text, const char *name, hs_error *err);
+ * same packets again. The text has size bytes and a zero byte behind them, and is cut up; name is
+ * for messages (HS_EXIT_STREAM). */
+bool hs_stream_file_build(hs_stream_file *file, char *text, size_t size, const char *name,
+                          hs_error *err);
 
 /* --- Traces -------------------------------------------------------------------------------------
  */
@@ -64,10 +66,22 @@ typedef struct hs_trace {
 
 /* Makes a trace from FOLDER/trace.txt. On failure *trace is empty and *err names the line. */
 bool hs_trace_compile(hs_trace *trace, const char *folder, hs_error *err);
+
+/* The same from size bytes in memory, with a zero byte behind them; they are cut up. name stands
+ * for the file in messages. */
+bool hs_trace_parse(hs_trace *trace, char *text, size_t size, const char *name, hs_error *err);
+
 void hs_trace_free(hs_trace *trace);
 
 /* Runs golden and the rtl on the input and gives what is expected of them, or NULL: they differ
  * (HS_EXIT_DIFFERENT), or one of them broke down. */
 json_t *hs_trace_expect(const hs_trace *trace, const char *folder, hs_error *err);
+
+/* Reads the text of an expected.json; NULL (HS_EXIT_STREAM) if it is no JSON. */
+json_t *hs_trace_expected_parse(const char *text, size_t size, const char *name, hs_error *err);
+
+/* False (HS_EXIT_DIFFERENT), with the first view and key, if what was expected is not what there
+ * is: each value of `actual` has to be in `expected`. folder is for messages. */
+bool hs_trace_expected_check(json_t *expected, json_t *actual, const char *folder, hs_error *err);
 
 #endif

@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
- * From trace.txt to packets, and from packets to what is expected of the engines.
+ * From trace.txt to packets.
  */
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare.h"
 #include "file.h"
 #include "mesh_source.h"
 #include "options.h"
@@ -200,13 +199,8 @@ static bool compile_line(compiler *c, char *line) {
     }
 }
 
-bool hs_trace_compile(hs_trace *trace, const char *folder, hs_error *err) {
+bool hs_trace_parse(hs_trace *trace, char *text, size_t size, const char *name, hs_error *err) {
     *trace = (hs_trace){.limits = HS_DEFAULT_LIMITS};
-    char path[4096];
-    snprintf(path, sizeof path, "%s/trace.txt", folder);
-    uint8_t *bytes;
-    size_t size;
-    if (!hs_file_read(path, TEXT_LIMIT, &bytes, &size, err)) return false;
     char where[320];
     compiler c = {.trace = trace,
                   .settings = {.front_depth = 4,
@@ -215,84 +209,32 @@ bool hs_trace_compile(hs_trace *trace, const char *folder, hs_error *err) {
                                .boundary = HS_BOUNDARY_SMOOTH},
                   .where = where,
                   .err = err};
-    char *rest = (char *)bytes, *line;
-    bool good = true;
+    char *rest = text, *line;
+    bool good = hs_text_check(text, size, name, HS_EXIT_STREAM, err);
     for (unsigned number = 1; good && (line = strsep(&rest, "\n")) != NULL; number++) {
-        snprintf(where, sizeof where, "%.280s:%u", path, number);
+        snprintf(where, sizeof where, "%.280s:%u", name, number);
         good = compile_line(&c, line);
     }
     if (good && trace->input.packets == 0)
-        good = hs_fail(err, HS_EXIT_STREAM, "%.300s: no views; add `matrix` lines", path);
-    free(bytes);
+        good = hs_fail(err, HS_EXIT_STREAM, "%.300s: no views; add `matrix` lines", name);
     hs_mesh_free(&c.mesh);
     if (!good) hs_trace_free(trace);
+    return good;
+}
+
+bool hs_trace_compile(hs_trace *trace, const char *folder, hs_error *err) {
+    *trace = (hs_trace){0};
+    char path[4096];
+    snprintf(path, sizeof path, "%s/trace.txt", folder);
+    uint8_t *bytes;
+    size_t size;
+    if (!hs_file_read(path, TEXT_LIMIT, &bytes, &size, err)) return false;
+    const bool good = hs_trace_parse(trace, (char *)bytes, size, path, err);
+    free(bytes);
     return good;
 }
 
 void hs_trace_free(hs_trace *trace) {
     hs_stream_file_free(&trace->input);
     *trace = (hs_trace){0};
-}
-
-/* --- expected.json ------------------------------------------------------------------------------
- */
-
-static json_t *expect_view(const hs_packet *packet, const hs_golden_report *golden,
-                           const hs_cycle_report *rtl) {
-    char digest[11];
-    snprintf(digest, sizeof digest, "0x%08x", hs_packet_crc(packet));
-    return json_pack(
-        "{s:i, s:s, s:o, s:I, s:s, s:i, s:i, s:i, s:i, s:I}", "view", (int)packet->view, "status",
-        hs_status_name(golden->status), "position",
-        golden->error_position == HS_NO_POSITION ? json_null()
-                                                 : json_integer((json_int_t)golden->error_position),
-        "words", (json_int_t)packet->words, "digest", digest, "vertices", (int)golden->vertices,
-        "faces", (int)golden->faces, "triangles", (int)golden->triangles, "generations",
-        (int)golden->generations, "cycles", (json_int_t)rtl->cycles);
-}
-
-/* One view through both engines; its expectation goes into views. */
-static bool expect_one(const hs_trace *trace, const char *folder, hs_golden *golden, hs_rtl *rtl,
-                       const hs_packet *in, json_t *views, hs_error *err) {
-    hs_packet wanted = {0}, sent = {0};
-    hs_golden_report golden_report;
-    hs_cycle_report rtl_report;
-    bool good = hs_golden_run(golden, in, &wanted, &golden_report, err) &&
-                hs_rtl_run(rtl, in, trace->stalls, &sent, &rtl_report, err);
-    if (good) {
-        const hs_word_comparison words = hs_compare_words(&wanted, &sent);
-        if (words.compared == 0) {
-            good = hs_fail(err, HS_EXIT_DIFFERENT, "%.100s, view %u: no word was compared", folder,
-                           in->view);
-        } else if (words.different) {
-            char text[400];
-            hs_compare_describe(&wanted, &sent, words.first, "rtl", text, sizeof text);
-            good = hs_fail(err, HS_EXIT_DIFFERENT, "%.100s, view %u: %s", folder, in->view, text);
-        } else if (json_array_append_new(views,
-                                         expect_view(&wanted, &golden_report, &rtl_report)) != 0) {
-            good = hs_fail(err, HS_EXIT_INTERNAL, "no memory for what is expected");
-        }
-    }
-    hs_packet_free(&wanted);
-    hs_packet_free(&sent);
-    return good;
-}
-
-json_t *hs_trace_expect(const hs_trace *trace, const char *folder, hs_error *err) {
-    json_t *views = json_array();
-    hs_golden *golden = hs_golden_new(trace->limits);
-    hs_rtl *rtl = golden ? hs_rtl_new(trace->limits, trace->stalls.seed, err) : NULL;
-    bool good = rtl && views;
-    if (!golden || !views) hs_fail(err, HS_EXIT_INTERNAL, "no memory for golden");
-    for (uint32_t i = 0; good && i < trace->input.packets; i++)
-        good = expect_one(trace, folder, golden, rtl, &trace->input.packet[i], views, err);
-    hs_rtl_free(rtl);
-    hs_golden_free(golden);
-    if (!good) {
-        json_decref(views);
-        return NULL;
-    }
-    json_t *expected = json_pack("{s:i, s:o}", "stream", HS_STREAM_VERSION, "views", views);
-    if (!expected) hs_fail(err, HS_EXIT_INTERNAL, "no memory for what is expected");
-    return expected;
 }

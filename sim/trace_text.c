@@ -283,10 +283,11 @@ static bool build_line(hs_stream_file *file, char *line, const char *where, hs_e
     return hs_packet_append(packet, record, 1, err);
 }
 
-bool hs_stream_file_build(hs_stream_file *file, char *text, const char *name, hs_error *err) {
+bool hs_stream_file_build(hs_stream_file *file, char *text, size_t size, const char *name,
+                          hs_error *err) {
     *file = (hs_stream_file){0};
     char *rest = text, *line;
-    bool good = true;
+    bool good = hs_text_check(text, size, name, HS_EXIT_STREAM, err);
     for (unsigned number = 1; good && (line = strsep(&rest, "\n")) != NULL; number++) {
         char where[320];
         snprintf(where, sizeof where, "%.280s:%u", name, number);

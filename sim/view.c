@@ -342,21 +342,25 @@ static bool read_lines(reader *r, hs_views *views, char *text, size_t size, doub
     return true;
 }
 
+bool hs_views_parse(hs_views *views, const char *name, char *text, size_t size, double aspect,
+                    hs_error *err) {
+    *views = (hs_views){0};
+    reader r = {.path = name, .c_locale = newlocale(LC_ALL_MASK, "C", (locale_t)0), .err = err};
+    if (r.c_locale == (locale_t)0)
+        return hs_fail(err, HS_EXIT_INTERNAL, "no memory for the views of %s", name);
+    const bool good = read_lines(&r, views, text, size, aspect);
+    freelocale(r.c_locale);
+    if (!good) hs_views_free(views);
+    return good;
+}
+
 bool hs_views_read(hs_views *views, const char *path, double aspect, hs_error *err) {
     *views = (hs_views){0};
     uint8_t *bytes;
     size_t size;
     if (!hs_file_read(path, largest_file, &bytes, &size, err)) return false;
-    reader r = {.path = path, .c_locale = newlocale(LC_ALL_MASK, "C", (locale_t)0), .err = err};
-    bool good = r.c_locale != (locale_t)0;
-    if (good) {
-        good = read_lines(&r, views, (char *)bytes, size, aspect);
-        freelocale(r.c_locale);
-    } else {
-        hs_fail(err, HS_EXIT_INTERNAL, "no memory for the views of %s", path);
-    }
+    const bool good = hs_views_parse(views, path, (char *)bytes, size, aspect, err);
     free(bytes);
-    if (!good) hs_views_free(views);
     return good;
 }
 

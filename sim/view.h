@@ -27,6 +27,11 @@ typedef struct hs_views {
  * (HS_EXIT_VIEWS, HS_EXIT_FILE). Numbers must be finite as binary32; a singular matrix is fine. */
 bool hs_views_read(hs_views *views, const char *path, double aspect, hs_error *err);
 
+/* The same from size bytes in memory, with a zero byte behind them; they are cut up. name stands
+ * for the file in messages. */
+bool hs_views_parse(hs_views *views, const char *name, char *text, size_t size, double aspect,
+                    hs_error *err);
+
 /* count viewpoints evenly spaced on a slightly raised circle around the mesh's bounding sphere,
  * the first in front (+z), all of the mesh in view. */
 bool hs_views_orbit(hs_views *views, uint32_t count, const hs_mesh *mesh, double aspect,

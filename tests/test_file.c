@@ -179,8 +179,27 @@ static void reading_stops_at_the_limit(void **state) {
     assert_int_equal(rmdir(f.path), 0);
 }
 
+static void a_zero_byte_in_a_text_is_named_by_its_line(void **state) {
+    (void)state;
+    hs_error err;
+    assert_true(hs_text_check("", 0, "a", HS_EXIT_STREAM, &err));
+    assert_true(hs_text_check("a\nb", 3, "a", HS_EXIT_STREAM, &err));
+    assert_false(hs_text_check("a\nb\0c", 5, "a", HS_EXIT_STREAM, &err));
+    assert_int_equal(err.code, HS_EXIT_STREAM);
+    assert_non_null(strstr(err.text, "a:2: a zero byte"));
+}
+
+static void a_message_has_no_control_characters(void **state) {
+    (void)state;
+    hs_error err;
+    hs_fail(&err, HS_EXIT_FILE, "%s: gr\u00f6\u00dfer", "a\033[2J\n\x7f");
+    assert_string_equal(err.text, "a?[2J??: gr\u00f6\u00dfer");
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_zero_byte_in_a_text_is_named_by_its_line),
+        cmocka_unit_test(a_message_has_no_control_characters),
         cmocka_unit_test(a_file_appears_only_when_it_is_committed),
         cmocka_unit_test(a_write_that_fails_leaves_the_old_file),
         cmocka_unit_test(a_pipe_is_written_to_and_not_replaced),
