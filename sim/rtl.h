@@ -32,8 +32,8 @@ bool hs_rtl_run(hs_rtl *rtl, const hs_packet *in, hs_stalls stalls, hs_packet *o
 
 /* Streams `count` packets in, one behind the other, and all answers out, which may interleave if
  * several views are in flight: out[i] is in[i]'s. Their views' numbers must differ in their low 16
- * bits. view[i], *cycles: as hs_flight_run's. The pipeline is at rest before. False as hs_rtl_run;
- * counters are not looked at. Logs go to the array of hs_rtl_logs, a log a pipeline. */
+ * bits. view[i], *cycles: as hs_flight_run's. The pipeline is at rest before. False as hs_rtl_run,
+ * but that counters are not looked at. Logs go to the array of hs_rtl_logs, a log a pipeline. */
 bool hs_rtl_stream(hs_rtl *rtl, const hs_packet *in, uint32_t count, hs_stalls stalls,
                    hs_packet *out, hs_flight_view *view, uint64_t *cycles, hs_error *err);
 void hs_rtl_logs(hs_rtl *rtl, hs_log *logs);
@@ -46,6 +46,10 @@ void hs_rtl_log(hs_rtl *rtl, hs_log *log);
  * assertions are off then: they hold for memories that keep what they are given. NULL: none. */
 typedef void hs_rtl_strike(void *context, void *root, uint64_t cycle);
 void hs_rtl_on_cycle(hs_rtl *rtl, hs_rtl_strike *strike, void *context);
+
+/* Has later runs fail that take more cycles than this; UINT64_MAX, as at first: more than the bound
+ * that is derived from their packets. */
+void hs_rtl_limit(hs_rtl *rtl, uint64_t cycles);
 
 /* The RTL's parameters, as its register ARCHITECTURE gives them. */
 uint32_t hs_rtl_architecture(const hs_rtl *rtl);

@@ -7,6 +7,7 @@
  * what both sides see at the coming edge; the second is the edge. In a waveform, cycle c lasts from
  * time 10c (its state) to 10c + 10, and its inputs come at 10c + 5.
  */
+#include <algorithm>
 #include <cstring>
 #include <exception>
 #include <memory>
@@ -57,6 +58,7 @@ struct hs_rtl {
     std::unique_ptr<VerilatedFstC> trace;
     uint64_t trace_first = 0, trace_last = 0;
     uint64_t cycle = 0;
+    uint64_t limit = UINT64_MAX; /* of cycles, set by hs_rtl_limit */
     hs_limits limits{}, capacity{};
     uint32_t architecture = 0;
     axil bus;
@@ -314,6 +316,10 @@ void hs_rtl_on_cycle(hs_rtl *rtl, hs_rtl_strike *strike, void *context) {
     rtl->context.assertOn(!strike);
 }
 
+void hs_rtl_limit(hs_rtl *rtl, uint64_t cycles) {
+    rtl->limit = cycles;
+}
+
 void hs_rtl_log(hs_rtl *rtl, hs_log *log) {
     rtl->log = log;
 }
@@ -444,8 +450,7 @@ static void offer(Vhalfstep &top, const hs_packet *in, size_t at) {
 }
 
 /* Checks what the output shows in this cycle against the last one, and a beat in itself. */
-static bool check_output(hs_rtl *rtl, const hs_packet *in, const beat &before, bool ended,
-                         hs_error *err) {
+static bool check_beat(const hs_rtl *rtl, const hs_packet *in, const beat &before, hs_error *err) {
     const Vhalfstep &top = *rtl->top;
     if (before.open && !top.m_axis_tvalid)
         return break_of_rule(rtl, in, "tvalid fell before the beat was taken", err);
@@ -454,9 +459,6 @@ static bool check_output(hs_rtl *rtl, const hs_packet *in, const beat &before, b
                         before.keep != top.m_axis_tkeep ||
                         std::memcmp(before.data, &top.m_axis_tdata[0], sizeof before.data) != 0))
         return break_of_rule(rtl, in, "a beat changed before it was taken", err);
-    if (ended) return break_of_rule(rtl, in, "a beat behind the packet's last one", err);
-    if (top.m_axis_tid != (in->view & 0xffff))
-        return break_of_rule(rtl, in, "tid is not the view's number", err);
     /* Whole records, from the lowest up; fewer than a beat holds only at the end. */
     uint64_t full = 0;
     for (size_t records = 1; records <= BEAT_WORDS / 4; records++) {
@@ -467,13 +469,36 @@ static bool check_output(hs_rtl *rtl, const hs_packet *in, const beat &before, b
     return break_of_rule(rtl, in, "tkeep is not a row of whole records, or has gaps", err);
 }
 
+/* The same of a view that is alone. */
+static bool check_output(const hs_rtl *rtl, const hs_packet *in, const beat &before, bool ended,
+                         hs_error *err) {
+    const Vhalfstep &top = *rtl->top;
+    if (!check_beat(rtl, in, before, err)) return false;
+    if (top.m_axis_tvalid && ended)
+        return break_of_rule(rtl, in, "a beat behind the packet's last one", err);
+    if (top.m_axis_tvalid && top.m_axis_tid != (in->view & 0xffff))
+        return break_of_rule(rtl, in, "tid is not the view's number", err);
+    return true;
+}
+
+/* What is shown now and will have to be shown again. */
+static void keep_beat(const Vhalfstep &top, beat *shown) {
+    shown->open = top.m_axis_tvalid && !top.m_axis_tready;
+    if (!shown->open) return;
+    shown->last = top.m_axis_tlast;
+    shown->id = top.m_axis_tid;
+    shown->keep = top.m_axis_tkeep;
+    std::memcpy(shown->data, &top.m_axis_tdata[0], sizeof shown->data);
+}
+
 /* Streams the packet in and the answer out. */
 static bool stream(hs_rtl *rtl, const hs_packet *in, hs_stalls stalls, hs_packet *out,
                    hs_cycle_report *report, hs_error *err) {
     Vhalfstep &top = *rtl->top;
     hs_pauses input = hs_pauses_start(stalls.seed, HS_PAUSES_INPUT, stalls.input);
     hs_pauses output = hs_pauses_start(stalls.seed, HS_PAUSES_OUTPUT, stalls.output);
-    const uint64_t begin = rtl->begin = rtl->cycle, most = most_cycles(rtl, in, stalls);
+    const uint64_t begin = rtl->begin = rtl->cycle;
+    const uint64_t most = std::min(most_cycles(rtl, in, stalls), rtl->limit);
     const uint64_t silence = most_silence(rtl);
     watch life(begin);
     beat shown;
@@ -494,13 +519,7 @@ static bool stream(hs_rtl *rtl, const hs_packet *in, hs_stalls stalls, hs_packet
         settle(rtl);
 
         if (!check_output(rtl, in, shown, ended, err)) return false;
-        shown.open = top.m_axis_tvalid && !top.m_axis_tready;
-        if (shown.open) {
-            shown.last = top.m_axis_tlast;
-            shown.id = top.m_axis_tid;
-            shown.keep = top.m_axis_tkeep;
-            std::memcpy(shown.data, &top.m_axis_tdata[0], sizeof shown.data);
-        }
+        keep_beat(top, &shown);
         if (top.m_axis_tvalid && top.m_axis_tready) {
             const auto bytes = static_cast<size_t>(__builtin_popcountll(top.m_axis_tkeep));
             if (!hs_packet_append(out, &top.m_axis_tdata[0], bytes / 16, err)) return false;
@@ -635,9 +654,11 @@ static bool stream_all(hs_rtl *rtl, const hs_packet *in, uint32_t count, hs_stal
     uint64_t most = 0;
     for (uint32_t i = 0; i < count; i++)
         most += most_cycles(rtl, &in[i], stalls);
+    most = std::min(most, rtl->limit);
     uint32_t next = 0, open = count; /* packets: on its way in; not yet answered */
     size_t at = 0;
     bool offered = false;
+    beat shown;
     while (open) {
         if (!offered && next < count && !hs_pauses_next(&input)) {
             offer(top, &in[next], at);
@@ -647,6 +668,8 @@ static bool stream_all(hs_rtl *rtl, const hs_packet *in, uint32_t count, hs_stal
         top.s_axis_tvalid = offered;
         top.m_axis_tready = !hs_pauses_next(&output);
         settle(rtl);
+        if (!check_beat(rtl, in, shown, err)) return false;
+        keep_beat(top, &shown);
         if (top.m_axis_tvalid && top.m_axis_tready) {
             const uint32_t i = answered(top, in, count, ended);
             if (i == count || i > next)
