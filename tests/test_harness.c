@@ -81,7 +81,7 @@ static void a_trace_finds_wrong_engines_and_wrong_expectations(void **state) {
         {"sed -i '/\"cycles\"/d; s/\\(\"generations\": [0-9]*\\),/\\1/' expected.json", "none",
          HS_EXIT_DIFFERENT, "cycles should be nothing"},
         {"sed -i 's/\"stream\": 2/\"stream\": 1/' expected.json", "none", HS_EXIT_DIFFERENT,
-         "another stream version"},
+         "stream should be 1, but is 2"},
         {"echo '{\"stream\": 2, \"views\": []}' >expected.json", "none", HS_EXIT_DIFFERENT,
          "expected.json has 0 views, input.hss 3"},
         {"echo '[]' >expected.json", "none", HS_EXIT_DIFFERENT, "expected.json"},
