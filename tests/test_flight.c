@@ -118,8 +118,34 @@ static void more_in_flight_are_faster_and_take_turns(void **state) {
     }
 }
 
+/* Each field of the register is a number of its own. */
+static void the_register_says_what_the_architecture_is(void **state) {
+    (void)state;
+    for (uint32_t n = 0; n < 16; n++) {
+        const uint32_t k[7] = {n,
+                               (n + 1) & 15,
+                               (n + 3) & 15,
+                               (n + 4) & 15,
+                               (n + 7) & 15,
+                               (n + 10) & 15,
+                               (n + 13) & 15};
+        uint32_t architecture = 0;
+        for (uint32_t i = 0; i < 7; i++)
+            architecture |= k[i] << 4 * i;
+        const hs_model_config c = hs_model_config_decode(architecture);
+        assert_int_equal(c.port, 1u << k[0]);
+        assert_int_equal(c.banks, 1u << k[1]);
+        assert_int_equal(c.window, 1u << k[2]);
+        assert_int_equal(c.lanes, 1u << k[3]);
+        assert_int_equal(c.latency, k[4]);
+        assert_int_equal(c.ops, 1u << k[5]);
+        assert_int_equal(c.views, k[6]);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_register_says_what_the_architecture_is),
         cmocka_unit_test(each_view_is_goldens_however_many_are_in_flight),
         cmocka_unit_test(one_in_flight_is_one_behind_the_other),
         cmocka_unit_test(more_in_flight_are_faster_and_take_turns),
