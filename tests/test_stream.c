@@ -559,6 +559,22 @@ static void the_example_of_the_documentation_is_true(void **state) {
     hs_packet_free(&out);
 }
 
+/* For messages about packets that went wrong: no more than four numbers stand in a group's head. */
+static void the_fourth_of_a_group_of_seven_has_its_name(void **state) {
+    (void)state;
+    hs_packet packet;
+    char text[80];
+    make_sample(&packet);
+    packet.word[4] |= 7 << 16;
+    for (size_t i = 0; i < 4; i++) {
+        static const char *const name[] = {"vertex 0 ", "vertex 11259375 ", "vertex 16777215 ",
+                                           "vertex 17 "};
+        hs_output_describe(&packet, 8 + 4 * i, text, sizeof text);
+        assert_non_null(strstr(text, name[i]));
+    }
+    hs_packet_free(&packet);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(crc_is_that_of_the_standard),
@@ -574,6 +590,7 @@ int main(void) {
         cmocka_unit_test(hostile_words_are_only_ever_refused_or_decoded),
         cmocka_unit_test(what_golden_sends_decodes),
         cmocka_unit_test(the_example_of_the_documentation_is_true),
+        cmocka_unit_test(the_fourth_of_a_group_of_seven_has_its_name),
     };
     return cmocka_run_group_tests_name("stream", tests, NULL, NULL);
 }
