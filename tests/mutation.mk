@@ -22,8 +22,10 @@ $(MUTATION)/verilated/log: $(MUTATION)/mutants.v
 	$(call VERILATED,Vmutants,--output-split 20000 -Wno-lint -Wno-style -Wno-fatal --top-module halfstep $<)
 
 # The shims of the pipeline and of the registers, for the pipeline that holds the mutants.
-$(MUTATION)/rtl_shim.o $(MUTATION)/registers_shim.o: $(MUTATION)/%.o: $(MUTATION)/verilated/log tests/mutation/Vhalfstep.h tests/mutation/Vregisters.h
-	$(CXX) $(VERILATED_FLAGS) -isystem $(MUTATION)/verilated -Itests/mutation -Itests -c $(filter %/$*.cpp,sim/rtl_shim.cpp tests/registers_shim.cpp) -o $@
+$(MUTATION)/rtl_shim.o $(MUTATION)/registers_shim.o: $(MUTATION)/%.o: $(MUTATION)/verilated/log \
+    tests/mutation/Vhalfstep.h tests/mutation/Vregisters.h
+	$(CXX) $(VERILATED_FLAGS) -isystem $(MUTATION)/verilated -Itests/mutation -Itests \
+	    -c $(filter %/$*.cpp,$^) -o $@
 $(MUTATION)/rtl_shim.o: sim/rtl_shim.cpp
 $(MUTATION)/registers_shim.o: tests/registers_shim.cpp
 
