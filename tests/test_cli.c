@@ -134,6 +134,37 @@ static void a_wrong_value_says_what_would_be_right(void **state) {
     expect(HS_EXIT_USAGE, "run shape:grid:4:1:1", "shape:NAME[:SIZE[:SEED]]");
 }
 
+static void an_option_that_does_nothing_is_refused(void **state) {
+    (void)state;
+    expect(HS_EXIT_USAGE, "run shape:cube --boundary smoth", "did you mean \"smooth\"?");
+    expect(HS_EXIT_USAGE, "run shape:cube --boundary 7", "kept, smooth or edge-only");
+    expect(HS_EXIT_USAGE, "run shape:cube --min-edge-px x", "0.0625 to 4095");
+    expect(HS_EXIT_USAGE, "run shape:cube --engine golden --orbit 1 --wave @/w.fst", "add rtl");
+    expect(HS_EXIT_USAGE, "run shape:cube --orbit 1 --wave-cycles 1:2", "needs --wave FILE");
+    expect(HS_EXIT_USAGE, "run shape:cube --orbit 1 --wave @/w.fst --wave-cycles 2:1",
+           "FIRST:LAST");
+    expect(HS_EXIT_USAGE, "run shape:cube --views=", "--views is empty; give it FILE");
+    expect(HS_EXIT_USAGE, "explore shape:cube --size 3", "WIDTHxHEIGHT");
+    expect(HS_EXIT_USAGE, "render shape:cube --size 3x3 -o @/x.png", "16 to 8192 each");
+    expect(HS_EXIT_USAGE, "render shape:cube --what nothing -o @/x.png", "no figure \"nothing\"");
+    expect(HS_EXIT_USAGE, "trace make", "name traces, or give --all");
+    expect(HS_EXIT_USAGE, "trace make --all x", "not both");
+    expect(HS_EXIT_USAGE, "trace run nowhere", "there are make, check, show, build");
+    assert_false(exists("w.fst") || exists("x.png"));
+}
+
+static void a_mesh_is_described_with_its_creases_and_its_boundary(void **state) {
+    (void)state;
+    expect(HS_EXIT_OK, "mesh info shape:die", "creases");
+    expect(HS_EXIT_OK, "mesh info shape:spoon", "boundary");
+}
+
+static void a_standard_output_that_takes_nothing_is_an_error(void **state) {
+    (void)state;
+    expect(HS_EXIT_FILE, "mesh list 3>&1 >/dev/full 2>&3; exit $?",
+           "cannot write to standard output");
+}
+
 static void the_model_counts_the_cycles_of_the_rtl(void **state) {
     (void)state;
     expect(HS_EXIT_OK, "run shape:cube --engine model,rtl --stalls 30,40",
@@ -492,6 +523,9 @@ int main(void) {
         TEST(help_teaches_by_example_and_exits_with_0),
         TEST(an_unknown_word_names_the_nearest_one),
         TEST(a_wrong_value_says_what_would_be_right),
+        TEST(an_option_that_does_nothing_is_refused),
+        TEST(a_mesh_is_described_with_its_creases_and_its_boundary),
+        TEST(a_standard_output_that_takes_nothing_is_an_error),
         TEST(the_model_counts_the_cycles_of_the_rtl),
         TEST(a_bad_mesh_is_named_by_file_and_line),
         TEST(a_bad_views_file_is_named_by_line),
