@@ -15,6 +15,7 @@ static void append(hs_state *s, const uint32_t record[4]) {
         memcpy(out->word + out->words, record, 16);
         out->words += 4;
     } else if (!hs_packet_append(out, record, 1, &err)) {
+        s->group = 0; /* none is open: its record is missing */
         s->exhausted = true;
     }
 }

@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: Apache-2.0
+# What the tests cover, on one page: the C by gcc and gcovr, the RTL by Verilator.
+
+COVERAGE := $(BUILD)/coverage
+# Per cent of the parity campaign's views (tests/parity.c) with which the whole pipeline is covered.
+COVERAGE_PARITY := 2
+
+# --- The C: a tree of links with a build folder of its own, since tests name build/halfstep. What is
+# Verilated in it is the ordinary build's. The long tests of the RTL and those of single modules add
+# nothing to the C that others do not run in a tenth of the time.
+COVERAGE_TREE := $(COVERAGE)/tree
+COVERAGE_ALONE := $(UNITS) fp receive receive_hostile rtl rtl_hostile rtl_surface rtl_throughput smallest
+COVERAGE_C := $(filter-out $(COVERAGE_ALONE:%=$(BUILD)/test_%),$(TESTS))
+
+# --- The RTL: tests of single modules, and the pipeline in two architectures. Its capacity is small, so that
+# few views reach every bit of an index. Modules that have tests of their own are left out of it.
+COVERAGE_RTL := $(COVERAGE)/rtl
+COVERAGE_CAPACITY := 1024 2048
+COVERAGE_UNITS := $(UNITS:%=test_%) test_fp test_receive test_receive_hostile
+COVERAGE_PIPELINES := parity parity-smallest
+
+.PHONY: coverage
+coverage: $(COVERAGE_C) $(BUILD)/halfstep $(BUILD)/libsim.a $(BUILD)/tests/parity.o ## lines, branches and toggles that the tests cover: out/coverage.md
+	@$(call INSTALL,gcovr)
+	@mkdir -p $(COVERAGE_TREE)/build $(COVERAGE_RTL)
+	@ln -sfn $(addprefix $(CURDIR)/,Makefile model sim rtl docs traces tests) $(COVERAGE_TREE)
+	@ln -sfn $(abspath $(BUILD))/verilated $(COVERAGE_TREE)/build/verilated
+	@ln -sfn $(addprefix $(abspath $(BUILD))/,model sim tests libsim.a libhalfstep.a) $(COVERAGE_RTL)
+	@cp $(BUILD)/packages.mk $(COVERAGE_TREE)/build && cp $(BUILD)/packages.mk $(COVERAGE_RTL)
+	@echo "building the C with --coverage"
+	+@$(MAKE) -s -C $(COVERAGE_TREE) BUILD=build CC="gcc --coverage -fprofile-update=atomic" CXX="g++ --coverage" OPT=-O0 \
+	    build/halfstep $(COVERAGE_C:$(BUILD)/%=build/%)
+	@echo "building the RTL with coverage of lines and toggles"
+	+@$(MAKE) -s BUILD=$(COVERAGE_RTL) VERILATE="$(VERILATE) --coverage-line --coverage-toggle" RTL_OPT=-O1 \
+	    CXXFLAGS="$(CXXFLAGS) -DVM_COVERAGE=1" \
+	    PIPELINE="tests/coverage/elsewhere.vlt -GVERTICES=$(word 1,$(COVERAGE_CAPACITY)) -GQUADS=$(word 2,$(COVERAGE_CAPACITY)) $(PIPELINE)" \
+	    $(addprefix $(COVERAGE_RTL)/,$(COVERAGE_UNITS) $(COVERAGE_PIPELINES))
+	@tests/coverage/run $(COVERAGE) out/coverage.md $(COVERAGE_PARITY) $(COVERAGE_CAPACITY) \
+	    $(COVERAGE_C:$(BUILD)/%=build/%) -- $(addprefix $(COVERAGE_RTL)/,$(COVERAGE_UNITS) $(COVERAGE_PIPELINES))
+
+# Its allocations fail on demand.
+$(BUILD)/test_exhausted: LIBS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free
