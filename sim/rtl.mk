@@ -7,9 +7,10 @@ VERILATOR_INCLUDE := $(shell verilator --getenv VERILATOR_ROOT 2>/dev/null)/incl
 # assertions stay armed: a broken rule stops the run. Those of data that must keep still cost a quarter of
 # the speed: they are armed in the tests of single modules (HS_ASSERT_DATA).
 VERILATE := verilator --cc -O3 -Wall --assert --x-initial unique --threads 1 --compiler clang
+RTL_OPT := -O2
 # $(call COMPILE,CLASS,FLAGS): its C++ in $(@D), in CLASS__ALL.a, with the jobs of this make (+). By clang, for the
 # processor at hand: sooner done than by gcc, and faster.
-COMPILE = $(MAKE) -s -C $(@D) -f $(1).mk CXX=clang++ OPT_FAST="-O2 -march=native $(2)" OPT_SLOW=-O1 OPT_GLOBAL=-O2 \
+COMPILE = $(MAKE) -s -C $(@D) -f $(1).mk CXX=clang++ OPT_FAST="$(RTL_OPT) -march=native $(2)" OPT_SLOW=-O1 OPT_GLOBAL=-O2 \
           $(1)__ALL.a >/dev/null
 # $(call VERILATED,CLASS,ARGUMENTS): both steps, as the recipe of $(@D)/log.
 define VERILATED
@@ -21,7 +22,7 @@ endef
 VERILATED_FLAGS = $(CXXFLAGS) -isystem $(VERILATOR_INCLUDE) -isystem $(VERILATOR_INCLUDE)/vltstd
 
 # What every Verilated model is linked with.
-RUNTIME := $(addprefix $(BUILD)/verilated/,verilated.o verilated_threads.o verilated_fst_c.o verilated_dpi.o)
+RUNTIME := $(addprefix $(BUILD)/verilated/,verilated.o verilated_threads.o verilated_fst_c.o verilated_dpi.o verilated_cov.o)
 $(RUNTIME): $(BUILD)/verilated/%.o:
 	@mkdir -p $(@D)
 	$(CXX) -std=c++17 -O2 -DVM_TRACE=1 -DVM_TRACE_FST=1 -I$(VERILATOR_INCLUDE) -I$(VERILATOR_INCLUDE)/vltstd \

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "Vhalfstep.h"
+#include "coverage.h"
 #include "rtl.h"
 #include "svdpi.h"
 #include "verilated.h"
@@ -298,6 +299,7 @@ void hs_rtl_free(hs_rtl *rtl) {
     if (!rtl) return;
     enter(rtl);
     if (rtl->trace) rtl->trace->close();
+    keep_coverage(rtl->context);
     if (rtl->top) rtl->top->final();
     delete rtl;
 }

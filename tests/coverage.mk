@@ -39,4 +39,4 @@ coverage: $(COVERAGE_C) $(BUILD)/halfstep $(BUILD)/libsim.a $(BUILD)/tests/parit
 	    $(COVERAGE_C:$(BUILD)/%=build/%) -- $(addprefix $(COVERAGE_RTL)/,$(COVERAGE_UNITS) $(COVERAGE_PIPELINES))
 
 # Its allocations fail on demand.
-$(BUILD)/test_exhausted: LIBS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free
+$(BUILD)/test_allocations: LIBS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free

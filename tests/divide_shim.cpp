@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "Vdivide.h"
+#include "coverage.h"
 #include "verilated.h"
 
 struct divide_rtl {
@@ -22,7 +23,10 @@ divide_rtl *divide_rtl_new(uint32_t seed) {
 }
 
 void divide_rtl_free(divide_rtl *rtl) {
-    if (rtl) rtl->top->final();
+    if (rtl) {
+        keep_coverage(rtl->context);
+        rtl->top->final();
+    }
     delete rtl;
 }
 

@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "Vemit.h"
+#include "coverage.h"
 #include "emit_shim.h"
 #include "verilated.h"
 
@@ -36,7 +37,10 @@ emit_rtl *emit_rtl_new(uint32_t port, uint32_t seed) {
 }
 
 void emit_rtl_free(emit_rtl *rtl) {
-    if (rtl) rtl->top->final();
+    if (rtl) {
+        keep_coverage(rtl->context);
+        rtl->top->final();
+    }
     delete rtl;
 }
 

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "Vfifo.h"
+#include "coverage.h"
 #include "verilated.h"
 
 struct fifo_shim {
@@ -24,6 +25,7 @@ fifo_shim *fifo_new(uint32_t seed) {
 }
 
 void fifo_free(fifo_shim *shim) {
+    keep_coverage(shim->context);
     delete shim;
 }
 

@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "Vfp_top.h"
+#include "coverage.h"
 #include "verilated.h"
 
 struct fp_shim {
@@ -38,6 +39,7 @@ fp_shim *fp_new(void) {
 }
 
 void fp_free(fp_shim *shim) {
+    keep_coverage(shim->context);
     delete shim;
 }
 

@@ -12,6 +12,7 @@
 #include "Vreceive1.h"
 #include "Vreceive2.h"
 #include "Vreceive4.h"
+#include "coverage.h"
 #include "verilated.h"
 
 namespace {
@@ -57,6 +58,9 @@ template <typename Top, uint32_t RECORDS> struct Bench : receive_bench {
     std::unique_ptr<Top> top;
     Vertex pipe[TRANSFORM_CYCLES] = {};
 
+    ~Bench() override {
+        keep_coverage(context);
+    }
     explicit Bench(uint32_t seed) {
         context.randSeed(static_cast<int>(seed));
         context.randReset(2);

@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "Vregisters.h"
+#include "coverage.h"
 #include "registers_shim.h"
 #include "verilated.h"
 
@@ -62,7 +63,10 @@ registers_rtl *registers_rtl_new(uint32_t seed) {
 }
 
 void registers_rtl_free(registers_rtl *rtl) {
-    if (rtl) rtl->top->final();
+    if (rtl) {
+        keep_coverage(rtl->context);
+        rtl->top->final();
+    }
     delete rtl;
 }
 

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "coverage.h"
 #include "verilated.h"
 
 template <class Top> struct simulated {
@@ -22,6 +23,7 @@ template <class Top> struct simulated {
         top->clk_i = 0;
     }
     ~simulated() {
+        keep_coverage(context);
         top->final();
     }
 

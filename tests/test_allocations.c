@@ -2,7 +2,7 @@
  *
  * Memory that runs out at any allocation: whatever asks for it says so, gives back what it had, and
  * works when it is asked again. The linker turns the C code's calls into those below (--wrap, see
- * coverage.mk); the n-th fails, and all after it, for n from 0 until nothing fails.
+ * tests/coverage.mk); the n-th fails, and all after it, for n from 0 until nothing fails.
  */
 #include <setjmp.h>
 #include <stdarg.h>
