@@ -21,6 +21,10 @@ typedef struct hs_rtl hs_rtl;
 hs_rtl *hs_rtl_new(hs_limits limits, uint32_t seed, hs_error *err);
 void hs_rtl_free(hs_rtl *rtl);
 
+/* Other limits, for the views that follow. False (HS_EXIT_USAGE), the limits as they were, if one
+ * exceeds the RTL's capacity. */
+bool hs_rtl_limit(hs_rtl *rtl, hs_limits limits, hs_error *err);
+
 /* Opens (path) or closes (NULL) an FST waveform; it records the cycles from first to last. */
 bool hs_rtl_trace(hs_rtl *rtl, const char *path, uint64_t first, uint64_t last, hs_error *err);
 

@@ -205,6 +205,11 @@ static bool take_snapshot(hs_rtl *rtl, snapshot *s, hs_error *err) {
     return read_register(rtl, HS_REG_CONFLICTS, &s->conflicts, err);
 }
 
+static bool write_limits(hs_rtl *rtl, hs_error *err) {
+    return write_register(rtl, HS_REG_LIMIT_VERTICES, rtl->limits.vertices, err) &&
+           write_register(rtl, HS_REG_LIMIT_QUADS, rtl->limits.quads, err);
+}
+
 static bool reset(hs_rtl *rtl, hs_error *err) {
     Vhalfstep &top = *rtl->top;
     rtl->context.gotError(false);
@@ -219,16 +224,22 @@ static bool reset(hs_rtl *rtl, hs_error *err) {
         if (!step(rtl, err)) return false;
     }
     top.rst_i = 0;
-    if (!write_register(rtl, HS_REG_LIMIT_VERTICES, rtl->limits.vertices, err) ||
-        !write_register(rtl, HS_REG_LIMIT_QUADS, rtl->limits.quads, err) ||
-        !take_snapshot(rtl, &rtl->before, err))
-        return false;
+    if (!write_limits(rtl, err) || !take_snapshot(rtl, &rtl->before, err)) return false;
     rtl->broken = false;
     return true;
 }
 
 /* --- Construction
  * --------------------------------------------------------------------------------- */
+static bool check_limits(const hs_rtl *rtl, hs_limits limits, hs_error *err) {
+    const hs_limits capacity = rtl->capacity;
+    if (limits.vertices > capacity.vertices || limits.quads > capacity.quads)
+        return hs_fail(err, HS_EXIT_USAGE,
+                       "limits of %u vertices and %u quads exceed the RTL's capacity of %u and %u",
+                       limits.vertices, limits.quads, capacity.vertices, capacity.quads);
+    return true;
+}
+
 static bool check_identity(hs_rtl *rtl, hs_error *err) {
     uint32_t identity = 0, version = 0;
     hs_limits &capacity = rtl->capacity;
@@ -243,11 +254,7 @@ static bool check_identity(hs_rtl *rtl, hs_error *err) {
                        "the RTL says identity 0x%08x, stream version %u, instead of 0x%08x, %u",
                        identity, version, static_cast<uint32_t>(HS_IDENTITY),
                        static_cast<uint32_t>(HS_STREAM_VERSION));
-    if (rtl->limits.vertices > capacity.vertices || rtl->limits.quads > capacity.quads)
-        return hs_fail(err, HS_EXIT_USAGE,
-                       "limits of %u vertices and %u quads exceed the RTL's capacity of %u and %u",
-                       rtl->limits.vertices, rtl->limits.quads, capacity.vertices, capacity.quads);
-    return true;
+    return check_limits(rtl, rtl->limits, err);
 }
 
 /* No exception goes up into C: what C++ throws for want of memory becomes an error. */
@@ -302,6 +309,13 @@ void hs_rtl_free(hs_rtl *rtl) {
     keep_coverage(rtl->context);
     if (rtl->top) rtl->top->final();
     delete rtl;
+}
+
+bool hs_rtl_limit(hs_rtl *rtl, hs_limits limits, hs_error *err) {
+    if (!check_limits(rtl, limits, err)) return false;
+    enter(rtl);
+    rtl->limits = limits;
+    return rtl->broken || write_limits(rtl, err); /* a reset writes them too */
 }
 
 uint64_t hs_rtl_cycle(const hs_rtl *rtl) {

@@ -35,4 +35,6 @@ saving: $(BUILD)/saving ## faces and silhouette of fixed depths beside those of 
 accuracy: $(BUILD)/accuracy ## distance to doubles: block floating point beside binary32
 	$<
 
-$(BUILD)/test_invariants: $(BUILD)/tests/invariants.o
+$(BUILD)/test_invariants: $(BUILD)/tests/test_invariants.o $(BUILD)/tests/invariants.o $(BUILD)/libsim.a \
+    $(BUILD)/libhalfstep.a
+	$(CXX) $^ -o $@ -lcmocka $(LIBS)

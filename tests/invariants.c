@@ -404,6 +404,39 @@ bool invariant_same_surface(uint32_t faces, const int32_t (*position_a)[4],
     return good;
 }
 
+static bool check_level(invariant_levels *l, const hs_state *s) {
+    const hs_catmull_clark *surface = &l->surface;
+    if (s->generation == 0)
+        return hs_catmull_clark_new(&l->surface, l->mesh, (const int32_t(*)[4])s->position,
+                                    l->boundary, &l->error);
+    if (!hs_catmull_clark_refine(&l->surface, &l->error)) return false;
+    if (s->faces != surface->faces || s->vertices != surface->vertices)
+        return hs_fail(&l->error, HS_EXIT_DIFFERENT,
+                       "I4: generation %u: %u faces and %u vertices instead of %u and %u",
+                       s->generation, s->faces, s->vertices, surface->faces, surface->vertices);
+    if (s->generation == 2 && /* the numbers are the same, too */
+        memcmp(s->position, surface->position, 16 * (size_t)s->vertices) != 0)
+        return hs_fail(&l->error, HS_EXIT_DIFFERENT, "I4: generation 2: other positions");
+    return invariant_same_surface(s->faces, (const int32_t(*)[4])s->position, s->origin,
+                                  (const int32_t(*)[4])surface->position, surface->origin,
+                                  s->vertices, &l->corners, &l->error);
+}
+
+static void watch_level(void *context, const hs_state *s) {
+    invariant_levels *l = context;
+    if (l->good && s->generation % 2 == 0) l->good = check_level(l, s);
+}
+
+hs_observer invariant_levels_begin(invariant_levels *levels, const hs_mesh *mesh,
+                                   hs_boundary boundary) {
+    *levels = (invariant_levels){.mesh = mesh, .boundary = boundary, .good = true};
+    return (hs_observer){.context = levels, .entered = watch_level};
+}
+
+void invariant_levels_free(invariant_levels *levels) {
+    hs_catmull_clark_free(&levels->surface);
+}
+
 /* --- I5: memory full of something else -----------------------------------------------------------
  */
 

@@ -14,6 +14,7 @@
 #ifndef HS_TESTS_INVARIANTS_H
 #define HS_TESTS_INVARIANTS_H
 
+#include "catmull_clark.h"
 #include "golden_state.h"
 #include "mesh.h"
 #include "stream.h"
@@ -69,6 +70,22 @@ bool invariant_same_surface(uint32_t faces, const int32_t (*position_a)[4],
                             const uint32_t *corner_a, const int32_t (*position_b)[4],
                             const uint32_t *corner_b, uint32_t vertices, uint64_t *compared,
                             hs_error *err);
+
+/* I4, as a run goes: refines by Catmull-Clark, level by level, what a uniform run had at generation
+ * 0, and compares at every even generation. Not for a boundary that is kept. */
+typedef struct invariant_levels {
+    const hs_mesh *mesh;
+    hs_boundary boundary;
+    hs_catmull_clark surface;
+    uint64_t corners; /* compared */
+    bool good;        /* false: error says what was wrong first */
+    hs_error error;
+} invariant_levels;
+
+/* Begins to compare; free the surface at the end. The observer's pointers lead to *levels. */
+hs_observer invariant_levels_begin(invariant_levels *levels, const hs_mesh *mesh,
+                                   hs_boundary boundary);
+void invariant_levels_free(invariant_levels *levels);
 
 /* I5. An observer that overwrites, whenever a generation begins, everything in golden's memory that
  * the stages have not made for this generation. *poison, any number, should differ from run to run.

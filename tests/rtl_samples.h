@@ -33,6 +33,7 @@ static const hs_stalls no_stalls = {0};
 /* --- The bench ----------------------------------------------------------------------------------
  */
 typedef struct bench {
+    hs_limits limits;
     hs_rtl *rtl;
     hs_golden *golden;
     hs_model *model; /* NULL: words alone are compared */
@@ -42,12 +43,20 @@ typedef struct bench {
     hs_log rtl_log, model_log;
     uint64_t views, words, transactions, cycles; /* compared so far; cycles of the RTL */
     uint64_t passed[HS_PROBES];                  /* transactions, by boundary */
+    bool keeps_packet;                           /* of the last difference: FAILED_PACKET */
+    /* What the last comparison found: "words", "transactions", "counters"; or the engine that broke
+     * down: "golden", "rtl", "model". NULL: no difference. */
+    const char *failed;
+    /* NULL, or what spoils the RTL's results before they are compared: tests of the comparison. */
+    void (*spoil)(struct bench *b, const hs_packet *in, hs_stalls stalls);
 } bench;
 
 static inline bench *new_bench(hs_limits limits, uint32_t seed) {
     hs_error err = {0};
     bench *b = calloc(1, sizeof *b);
     assert_non_null(b);
+    b->limits = limits;
+    b->keeps_packet = true;
     b->golden = hs_golden_new(limits);
     assert_non_null(b->golden);
     b->rtl = hs_rtl_new(limits, seed, &err);
@@ -56,6 +65,18 @@ static inline bench *new_bench(hs_limits limits, uint32_t seed) {
     if (!b->model) fail_msg("%s", err.text);
     hs_rtl_log(b->rtl, &b->rtl_log);
     return b;
+}
+
+/* Gives all engines other limits. */
+static inline void limit_bench(bench *b, hs_limits limits) {
+    hs_error err = {0};
+    b->limits = limits;
+    hs_golden_free(b->golden);
+    hs_model_free(b->model);
+    b->golden = hs_golden_new(limits);
+    assert_non_null(b->golden);
+    b->model = hs_model_new(limits, hs_model_config_decode(hs_rtl_architecture(b->rtl)), &err);
+    if (!b->model || !hs_rtl_limit(b->rtl, limits, &err)) fail_msg("%s", err.text);
 }
 
 static inline void free_bench(bench *b) {
@@ -97,12 +118,15 @@ static inline uint32_t generation_of_word(const hs_packet *packet, size_t word) 
     return generation;
 }
 
-static inline void keep_failed_packet(const hs_packet *in) {
+/* Says what failed, keeps the packet if that is wanted, and tells where: " (packet in ...)". */
+static inline const char *fail_bench(bench *b, const char *failed, const hs_packet *in) {
     hs_error err;
-    FILE *file = fopen(FAILED_PACKET, "wb");
-    if (!file) return;
+    b->failed = failed;
+    FILE *file = b->keeps_packet ? fopen(FAILED_PACKET, "wb") : NULL;
+    if (!file) return "";
     hs_frame_write(file, in, FAILED_PACKET, &err);
     fclose(file);
+    return " (packet in " FAILED_PACKET ")";
 }
 
 /* Compares what the model makes of the packet with what the RTL just did. */
@@ -111,7 +135,7 @@ static inline bool same_cycles(bench *b, const hs_packet *in, hs_stalls stalls, 
     hs_error err;
     if (!hs_model_run(b->model, in, stalls, &b->modelled, &b->modelled_report, &b->model_report,
                       &b->model_log, &err)) {
-        snprintf(text, size, "%s: model: %s", what, err.text);
+        snprintf(text, size, "%s: model: %s%s", what, err.text, fail_bench(b, "model", in));
         return false;
     }
     const bool refused = b->golden_report.status > HS_STATUS_STOPPED;
@@ -122,23 +146,20 @@ static inline bool same_cycles(bench *b, const hs_packet *in, hs_stalls stalls, 
     for (uint32_t i = 0; i < HS_PROBES; i++)
         b->passed[i] += b->rtl_log.probe[i].count;
     if (c.different) {
-        keep_failed_packet(in);
-        snprintf(text, size,
-                 "%s: %llu of %llu transactions differ; the earliest: %s (packet in " FAILED_PACKET
-                 ")",
-                 what, (unsigned long long)c.different, (unsigned long long)c.compared, c.text);
+        snprintf(text, size, "%s: %llu of %llu transactions differ; the earliest: %s%s", what,
+                 (unsigned long long)c.different, (unsigned long long)c.compared, c.text,
+                 fail_bench(b, "transactions", in));
         return false;
     }
     char counter[200];
     if (!hs_cycle_report_equal(&b->rtl_report, &b->model_report, counter, sizeof counter)) {
-        keep_failed_packet(in);
-        snprintf(text, size,
-                 "%s: rtl and model count differently: %s (packet in " FAILED_PACKET ")", what,
-                 counter);
+        snprintf(text, size, "%s: rtl and model count differently: %s%s", what, counter,
+                 fail_bench(b, "counters", in));
         return false;
     }
     if (hs_compare_words(&b->actual, &b->modelled).different == 0) return true;
-    snprintf(text, size, "%s: the words of the model are not the RTL's", what);
+    snprintf(text, size, "%s: the words of the model are not the RTL's%s", what,
+             fail_bench(b, "words", in));
     return false;
 }
 
@@ -146,28 +167,27 @@ static inline bool same_cycles(bench *b, const hs_packet *in, hs_stalls stalls, 
 static inline bool same_words(bench *b, const hs_packet *in, hs_stalls stalls, const char *what,
                               char *text, size_t size) {
     hs_error err;
+    b->failed = NULL;
     if (!hs_golden_run(b->golden, in, &b->expected, &b->golden_report, &err)) {
-        snprintf(text, size, "%s: golden: %s", what, err.text);
+        snprintf(text, size, "%s: golden: %s%s", what, err.text, fail_bench(b, "golden", in));
         return false;
     }
     if (!hs_rtl_run(b->rtl, in, stalls, &b->actual, &b->rtl_report, &err)) {
-        keep_failed_packet(in);
-        snprintf(text, size, "%s: rtl: %s (golden: %s; packet in " FAILED_PACKET ")", what,
-                 err.text, hs_status_name(b->golden_report.status));
+        snprintf(text, size, "%s: rtl: %s (golden: %s)%s", what, err.text,
+                 hs_status_name(b->golden_report.status), fail_bench(b, "rtl", in));
         return false;
     }
+    if (b->spoil) b->spoil(b, in, stalls);
     const hs_word_comparison c = hs_compare_words(&b->expected, &b->actual);
     b->views++;
     b->words += c.compared;
     if (c.different == 0) return !b->model || same_cycles(b, in, stalls, what, text, size);
     char place[500];
     hs_compare_describe(&b->expected, &b->actual, c.first, "rtl", place, sizeof place);
-    keep_failed_packet(in);
-    snprintf(text, size,
-             "%s: view %u, generation %u, %s; %llu of %llu words differ (packet in " FAILED_PACKET
-             ")",
-             what, in->view, generation_of_word(&b->expected, c.first), place,
-             (unsigned long long)c.different, (unsigned long long)c.compared);
+    snprintf(text, size, "%s: view %u, generation %u, %s; %llu of %llu words differ%s", what,
+             in->view, generation_of_word(&b->expected, c.first), place,
+             (unsigned long long)c.different, (unsigned long long)c.compared,
+             fail_bench(b, "words", in));
     return false;
 }
 

@@ -5,7 +5,6 @@
  * inside, grazing, behind, singular, mirrored), depths 4/8, over all boundary modes, with limit
  * positions and without, with a least edge and without.
  */
-#include "catmull_clark.h"
 #include "invariants.h"
 #include "reference_shapes.h"
 #include "view.h"
@@ -193,35 +192,6 @@ static void what_a_view_refines_is_a_part_of_the_uniform_surface(void **state) {
     hs_golden_free(golden);
 }
 
-/* Refines level by level what golden had at generation 0, and compares at 2, 4 and 6. */
-typedef struct {
-    const sample *sample;
-    hs_boundary boundary;
-    hs_catmull_clark surface;
-    uint64_t corners;
-} level_check;
-
-static void check_level(void *context, const hs_state *s) {
-    level_check *c = context;
-    hs_error err;
-    if (s->generation % 2 == 1) return;
-    if (s->generation == 0) {
-        if (!hs_catmull_clark_new(&c->surface, &c->sample->mesh, (const int32_t(*)[4])s->position,
-                                  c->boundary, &err))
-            fail_msg("%s", err.text);
-        return;
-    }
-    if (!hs_catmull_clark_refine(&c->surface, &err)) fail_msg("%s", err.text);
-    assert_int_equal(s->faces, c->surface.faces);
-    assert_int_equal(s->vertices, c->surface.vertices);
-    if (s->generation == 2) /* the numbers are the same, too */
-        assert_memory_equal(s->position, c->surface.position, 16 * (size_t)s->vertices);
-    if (!invariant_same_surface(s->faces, (const int32_t(*)[4])s->position, s->origin,
-                                (const int32_t(*)[4])c->surface.position, c->surface.origin,
-                                s->vertices, &c->corners, &err))
-        fail_msg("%s, generation %u: %s", c->sample->name, s->generation, err.text);
-}
-
 static void two_uniform_steps_are_one_catmull_clark_level(void **state) {
     const samples *all = *state;
     hs_golden *golden = new_golden();
@@ -235,11 +205,13 @@ static void two_uniform_steps_are_one_catmull_clark_level(void **state) {
             const hs_boundary boundary = k % 2 ? HS_BOUNDARY_EDGE_ONLY : HS_BOUNDARY_SMOOTH;
             const hs_settings settings = {
                 .uniform = true, .uniform_depth = 7, .boundary = boundary, .limit = k < 2};
-            level_check check = {.sample = &all->item[i], .boundary = boundary};
-            hs_golden_observe(golden, &(hs_observer){.context = &check, .entered = check_level});
+            invariant_levels check;
+            const hs_observer observer = invariant_levels_begin(&check, mesh, boundary);
+            hs_golden_observe(golden, &observer);
             run(golden, mesh, &set.view[chosen[k / 2]], &settings, &in, &out);
+            if (!check.good) fail_msg("%s: %s", all->item[i].name, check.error.text);
             assert_int_equal(check.surface.level, 3);
-            hs_catmull_clark_free(&check.surface);
+            invariant_levels_free(&check);
             corners[k % 2] += check.corners;
             open_corners += all->item[i].closed ? 0 : check.corners;
             runs++;
