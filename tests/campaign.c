@@ -13,9 +13,9 @@
  */
 #include <getopt.h>
 #include <inttypes.h>
-#include <signal.h>
 #include <stdatomic.h>
 #include <sys/mman.h>
+#include <sys/time.h>
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
@@ -27,13 +27,13 @@ enum {
     MOST_JOBS = 64,
     MOST_FAILURES = 3,   /* of a process: then it stops */
     COVERED_FROM = 2000, /* cases from which on an empty kind is a failure */
-    CASE_SECONDS = 600   /* in which a case, or a change of one that is cut down, must end */
+    CASE_SECONDS = 600   /* of processor time, in which a case must be done, cut down if need be */
 };
 
 typedef struct options {
     uint64_t seed, cases;
     uint32_t jobs, seconds;
-    const char *out, *trace;
+    const char *program, *out, *trace;
 } options;
 
 /* What a process has done, where its parent sees it. */
@@ -75,10 +75,10 @@ static void report_failure(checker *c, campaign_case *which, const options *o) {
     snprintf(folder, sizeof folder, "%s/seed-%" PRIu64, o->out, which->seed);
     snprintf(why, sizeof why, "From the campaign's seed %" PRIu64 ".", which->seed);
     if (campaign_write(which, folder, why, &err))
-        printf("  trace: %s; run it alone: build/campaign --trace %s\n", folder, folder);
+        printf("  trace: %s; run it alone: %s --trace %s\n", folder, o->program, folder);
     else
         printf("  no trace: %s\n", err.text);
-    printf("  the case as it was: build/campaign --seed %" PRIu64 " --cases 1\n", which->seed);
+    printf("  the case as it was: %s --seed %" PRIu64 " --cases 1\n", o->program, which->seed);
     fflush(stdout);
 }
 
@@ -89,10 +89,11 @@ static void run_job(uint32_t number, const options *o, shared *all) {
     static checker c;
     static campaign_case which;
     job *mine = &all->job[number];
+    const struct itimerval limit = {.it_value.tv_sec = CASE_SECONDS};
     checker_begin(&c);
     for (uint64_t i = number; i < o->cases && mine->failures < MOST_FAILURES; i += o->jobs) {
         mine->seed = o->seed + i;
-        alarm(CASE_SECONDS);
+        setitimer(ITIMER_PROF, &limit, NULL); /* then a signal ends the process */
         campaign_make(&which, mine->seed);
         if (campaign_check(&c, &which)) {
             coverage_add(&mine->coverage, &which, &c);
@@ -131,11 +132,11 @@ static uint32_t run_jobs(const options *o, shared *all) {
             printf("process %u could not be started\n", k);
             failures++;
         } else if (status != 0 || !one->ended) {
-            printf("the process died (%s %d) in the case of seed %" PRIu64
-                   ": build/campaign --seed %" PRIu64 " --cases 1\n",
+            printf("the process died (%s %d) in the case of seed %" PRIu64 ": %s --seed %" PRIu64
+                   " --cases 1\n",
                    WIFSIGNALED(status) ? "signal" : "exit status",
                    WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status), one->seed,
-                   one->seed);
+                   o->program, one->seed);
             failures++;
         }
         failures += one->failures;
@@ -234,7 +235,12 @@ int main(int argc, char **argv) {
                                           {"out", required_argument, NULL, 'o'},
                                           {"trace", required_argument, NULL, 'r'},
                                           {NULL, 0, NULL, 0}};
-    options o = {.seed = 1, .cases = 1000, .jobs = 2, .seconds = 120, .out = "out/campaign"};
+    options o = {.seed = 1,
+                 .cases = 1000,
+                 .jobs = 2,
+                 .seconds = 120,
+                 .program = argv[0],
+                 .out = "out/campaign"};
     for (int c; (c = getopt_long(argc, argv, "", names, NULL)) != -1;)
         switch (c) {
         case 's':

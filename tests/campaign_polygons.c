@@ -325,10 +325,10 @@ static bool rename_vertices(polygons *p, const uint32_t *to) {
     return finish(p, &made, true);
 }
 
-bool polygons_drop_vertex(polygons *p, uint32_t v) {
+bool polygons_drop_vertices(polygons *p, uint32_t first, uint32_t count) {
     uint32_t to[POLYGONS_VERTICES];
     for (uint32_t i = 0; i < p->vertices; i++)
-        to[i] = i == v ? UINT32_MAX : i;
+        to[i] = i >= first && i - first < count ? UINT32_MAX : i;
     return rename_vertices(p, to);
 }
 

@@ -45,8 +45,9 @@ bool polygons_merge(polygons *p, uint32_t face, uint32_t side);          /* with
 bool polygons_cut_edge(polygons *p, uint32_t face, uint32_t side);       /* by a new vertex */
 bool polygons_extrude(polygons *p, uint32_t face, float height); /* away, with quads around */
 bool polygons_append(polygons *p, const polygons *other, const float offset[3]);
-bool polygons_keep(polygons *p, const bool *keep);           /* faces: those that are false go */
-bool polygons_drop_vertex(polygons *p, uint32_t v);          /* out of its faces; triangles go */
+bool polygons_keep(polygons *p, const bool *keep); /* faces: those that are false go */
+/* Vertices, out of their faces; what has fewer than three goes. */
+bool polygons_drop_vertices(polygons *p, uint32_t first, uint32_t count);
 bool polygons_collapse(polygons *p, uint32_t v, uint32_t w); /* v becomes w; lunes go */
 
 #endif

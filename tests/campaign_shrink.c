@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
  * Greedy: a change that keeps the failure is kept, and everything is tried again until nothing more
- * can be changed. Faces go in halves, quarters, eighths, down to single ones.
+ * can be changed. Faces and vertices go in halves, quarters, eighths, down to single ones.
  */
 #include "campaign_shrink.h"
 
@@ -13,7 +13,7 @@ typedef struct shrinker {
     const char *failed; /* the check that has to fail */
     char text[sizeof((checker *)0)->text];
     uint32_t tried;
-    time_t end;
+    clock_t end;  /* of processor time, so that a busy machine changes nothing */
     bool changed; /* since the round began */
 } shrinker;
 
@@ -31,7 +31,7 @@ bool campaign_check(checker *c, const campaign_case *which) {
 }
 
 static bool out_of_time(const shrinker *s) {
-    return time(NULL) >= s->end;
+    return clock() >= s->end;
 }
 
 static campaign_case *change(const shrinker *s) {
@@ -181,9 +181,10 @@ static void drop_faces(shrinker *s) {
 }
 
 static void drop_vertices(shrinker *s) {
-    for (uint32_t v = s->best->shape.vertices; v-- > 0 && !out_of_time(s);)
-        if (v < s->best->shape.vertices && polygons_drop_vertex(&change(s)->shape, v))
-            try_change(s);
+    for (uint32_t size = (s->best->shape.vertices + 1) / 2; size > 0; size /= 2)
+        for (uint32_t first = 0; first < s->best->shape.vertices && !out_of_time(s);)
+            if (!polygons_drop_vertices(&change(s)->shape, first, size) || !try_change(s))
+                first += size;
 }
 
 static void collapse_edges(shrinker *s) {
@@ -261,7 +262,7 @@ uint32_t campaign_shrink(checker *c, campaign_case *which, uint32_t seconds) {
     shrinker s = {.checker = c,
                   .best = which,
                   .failed = c->failed,
-                  .end = time(NULL) + (time_t)seconds,
+                  .end = clock() + (clock_t)seconds * CLOCKS_PER_SEC,
                   .changed = true};
     memcpy(s.text, c->text, sizeof s.text);
     const tally tally = c->tally;
@@ -272,9 +273,9 @@ uint32_t campaign_shrink(checker *c, campaign_case *which, uint32_t seconds) {
         drop_limits(&s);
         simplify_settings(&s);
         drop_faces(&s);
+        drop_vertices(&s);
         merge_faces(&s);
         collapse_edges(&s);
-        drop_vertices(&s);
         drop_tags(&s);
         drop_forced(&s);
         simplify_view(&s);

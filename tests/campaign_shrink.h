@@ -12,8 +12,8 @@ bool campaign_check(checker *c, const campaign_case *which);
 
 /* Makes *which, which has just failed the check, smaller as long as the same check fails: drops the
  * fault, stalls, limits, settings, tags, faces, vertices; lowers depths; simplifies coordinates and
- * the view. Stops after so many seconds, at what it has then. Gives how many cases it tried; what
- * the last one that failed said is in c->failed and c->text. */
+ * the view. Stops after so many seconds of processor time, at what it has then. Gives how many
+ * cases it tried; what the last one that failed said is in c->failed and c->text. */
 uint32_t campaign_shrink(checker *c, campaign_case *which, uint32_t seconds);
 
 /* Writes a case as a trace, mesh included: trace.txt, mesh.obj and input.hss in the folder, which
