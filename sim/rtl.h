@@ -53,7 +53,7 @@ void hs_rtl_on_cycle(hs_rtl *rtl, hs_rtl_strike *strike, void *context);
 
 /* Has later runs fail that take more cycles than this; UINT64_MAX, as at first: more than the bound
  * that is derived from their packets. */
-void hs_rtl_limit(hs_rtl *rtl, uint64_t cycles);
+void hs_rtl_cycle_limit(hs_rtl *rtl, uint64_t cycles);
 
 /* The RTL's parameters, as its register ARCHITECTURE gives them. */
 uint32_t hs_rtl_architecture(const hs_rtl *rtl);

@@ -59,7 +59,7 @@ struct hs_rtl {
     std::unique_ptr<VerilatedFstC> trace;
     uint64_t trace_first = 0, trace_last = 0;
     uint64_t cycle = 0;
-    uint64_t limit = UINT64_MAX; /* of cycles, set by hs_rtl_limit */
+    uint64_t limit = UINT64_MAX; /* of cycles, set by hs_rtl_cycle_limit */
     hs_limits limits{}, capacity{};
     uint32_t architecture = 0;
     axil bus;
@@ -332,7 +332,7 @@ void hs_rtl_on_cycle(hs_rtl *rtl, hs_rtl_strike *strike, void *context) {
     rtl->context.assertOn(!strike);
 }
 
-void hs_rtl_limit(hs_rtl *rtl, uint64_t cycles) {
+void hs_rtl_cycle_limit(hs_rtl *rtl, uint64_t cycles) {
     rtl->limit = cycles;
 }
 

@@ -291,7 +291,7 @@ static void run_alone(worker *w) {
     char text[200];
     for (uint32_t i = 0; i < w->count; i++) {
         const uint64_t most = most_cycles(&w->in[i], w->stalls);
-        hs_rtl_limit(w->rtl, most);
+        hs_rtl_cycle_limit(w->rtl, most);
         if (!hs_rtl_run(w->rtl, &w->in[i], w->stalls, &w->out[i], &rtl, &err)) {
             note_run(w, i, &err);
             continue;
@@ -315,7 +315,7 @@ static void run_row(worker *w) {
     hs_error err = {0};
     for (uint32_t i = 0; i < w->count; i++)
         most += most_cycles(&w->in[i], w->stalls);
-    hs_rtl_limit(w->rtl, most);
+    hs_rtl_cycle_limit(w->rtl, most);
     if (!hs_rtl_stream(w->rtl, w->in, w->count, w->stalls, w->out, rtl_view, &rtl_cycles, &err)) {
         note_run(w, 0, &err);
         return;
