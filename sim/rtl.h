@@ -46,9 +46,9 @@ void hs_rtl_logs(hs_rtl *rtl, hs_log *logs);
 void hs_rtl_log(hs_rtl *rtl, hs_log *log);
 
 /* For the injection of faults: later runs call `strike` before every clock's edge, with the
- * Verilated root (Vhalfstep___024root) and the cycle from the start of the run. The RTL's
+ * Verilated model (Vhalfstep) and the cycle from the start of the run. The RTL's
  * assertions are off then: they hold for memories that keep what they are given. NULL: none. */
-typedef void hs_rtl_strike(void *context, void *root, uint64_t cycle);
+typedef void hs_rtl_strike(void *context, void *top, uint64_t cycle);
 void hs_rtl_on_cycle(hs_rtl *rtl, hs_rtl_strike *strike, void *context);
 
 /* Has later runs fail that take more cycles than this; UINT64_MAX, as at first: more than the bound

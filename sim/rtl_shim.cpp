@@ -149,7 +149,7 @@ static bool step(hs_rtl *rtl, hs_error *err) {
         if (bus.address_open && top.s_axil_awready) bus.address_open = false;
         if (bus.data_open && top.s_axil_wready) bus.data_open = false;
     }
-    if (rtl->strike) rtl->strike(rtl->strike_context, top.rootp, rtl->cycle - rtl->begin);
+    if (rtl->strike) rtl->strike(rtl->strike_context, &top, rtl->cycle - rtl->begin);
     top.clk_i = 1;
     top.eval();
     rtl->cycle++;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "memories.h"
 
+#include "Vhalfstep.h"
 #include "Vhalfstep___024root.h"
 
 namespace {
@@ -38,11 +39,11 @@ hs_memory hs_memory_at(uint32_t memory) {
     return entries[memory].memory;
 }
 
-void hs_memory_flip(void *root, uint32_t memory, uint32_t row, uint32_t bit) {
-    entries[memory].flip(*static_cast<Vhalfstep___024root *>(root), row, bit);
+void hs_memory_flip(void *top, uint32_t memory, uint32_t row, uint32_t bit) {
+    entries[memory].flip(*static_cast<Vhalfstep *>(top)->rootp, row, bit);
 }
 
-const void *hs_memory_words(void *root, uint32_t memory, uint32_t *bytes) {
+const void *hs_memory_words(void *top, uint32_t memory, uint32_t *bytes) {
     *bytes = entries[memory].bytes;
-    return entries[memory].words(*static_cast<Vhalfstep___024root *>(root));
+    return entries[memory].words(*static_cast<Vhalfstep *>(top)->rootp);
 }

@@ -21,10 +21,10 @@ uint32_t hs_memory_count(void);
 hs_memory hs_memory_at(uint32_t memory);
 
 /* The words of a memory, row after row, each in *bytes bytes. */
-const void *hs_memory_words(void *root, uint32_t memory, uint32_t *bytes);
+const void *hs_memory_words(void *top, uint32_t memory, uint32_t *bytes);
 
-/* Flips a bit of a row. root is what hs_rtl_strike is given. */
-void hs_memory_flip(void *root, uint32_t memory, uint32_t row, uint32_t bit);
+/* Flips a bit of a row. top is what hs_rtl_strike is given. */
+void hs_memory_flip(void *top, uint32_t memory, uint32_t row, uint32_t bit);
 
 #ifdef __cplusplus
 }

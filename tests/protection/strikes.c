@@ -60,9 +60,9 @@ typedef struct strike {
 } strike;
 
 /* The row that was written in the last cycle, if one was. */
-static bool find_written(strike *s, void *root) {
+static bool find_written(strike *s, void *top) {
     uint32_t bytes;
-    const unsigned char *words = hs_memory_words(root, s->memory, &bytes);
+    const unsigned char *words = hs_memory_words(top, s->memory, &bytes);
     const size_t size = (size_t)bytes * s->rows;
     bool found = false;
     if (!s->before) {
@@ -79,12 +79,12 @@ static bool find_written(strike *s, void *root) {
     return found;
 }
 
-static void hit(void *context, void *root, uint64_t cycle) {
+static void hit(void *context, void *top, uint64_t cycle) {
     strike *s = context;
     if (s->done || cycle < s->cycle) return;
-    if (s->aimed && !s->written) s->written = find_written(s, root);
+    if (s->aimed && !s->written) s->written = find_written(s, top);
     if (s->aimed && (!s->written || s->delay-- > 0)) return;
-    hs_memory_flip(root, s->memory, s->row, s->bit);
+    hs_memory_flip(top, s->memory, s->row, s->bit);
     s->done = true;
 }
 
