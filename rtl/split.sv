@@ -166,6 +166,10 @@ module split #(
   assign record_rd_en_o = fetch_rd_en && !pass_i;
   assign own_refined = !finish_i && (all_i || own_verdict_i[VW+1]);
   assign own_selected = all_i || own_verdict_i[VW];
+  // Yosys 0.23 takes a sum with a narrowing cast, where it stands in a concatenation, to be as wide as what
+  // is cast: such sums have a name.
+  logic [VW-1:0] pass_number;
+  assign pass_number = first_new_i + VW'(pass_item_i);
   assign own_number = all_i ? first_new_i + VW'(fetch_item) : own_verdict_i[VW-1:0];
 
   // --- In one pass: the rest of the record waits for classify, the positions for split_write ------
@@ -227,7 +231,7 @@ module split #(
   assign item = pass_i ?
       {1'b1,
        {1'b1, pass_candidate, pass_forced, 1'b1, 1'b0, 4'd0, pass_sharp,
-        first_new_i + VW'(pass_item_i), pass_point_i, pass_origin_i},
+        pass_number, pass_point_i, pass_origin_i},
        pass_item_i, 4'b1111, pass_boundary_i, 4'b0000, pass_twin} :
       {own_refined,
        {record_last_i, record_candidate_i, record_forced_i, own_selected, record_half_i,

@@ -90,11 +90,13 @@ module split_number #(
   always_comb begin
     for (int i = 0; i < 4; i++) begin
       logic [HW-1:0] twin, own;
+      logic [VW-1:0] beyond_new;  // a name for Yosys, as in split
       logic beyond_refined;
       twin = twin_i[i*HW+:HW];
       own = quads_i ? {item_i, 2'(i)} : {2'b00, item_i};
+      beyond_new = first_new_i + VW'(twin[HW-1:2]);
       {beyond_refined, beyond_selected[i], beyond_number[i*VW+:VW]} = all_i ?
-          {2'b11, first_new_i + VW'(twin[HW-1:2])} : verdict_i[i*(VW+2)+:VW+2];
+          {2'b11, beyond_new} : verdict_i[i*(VW+2)+:VW+2];
       replaced[i] = refined_i && lanes_i[i] &&
           (boundary_i[i] ? odd_i : !border_i[i] && beyond_refined);
       lower[i] = replaced[i] && (boundary_i[i] || own < twin);
