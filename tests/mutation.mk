@@ -15,7 +15,7 @@ MUTANTS_QUADS    := 1024
 $(MUTATION)/mutants.v: rtl/files.f $(wildcard rtl/*.sv) tests/mutation/rtl_mutants
 	@mkdir -p $(@D)
 	@tests/mutation/rtl_mutants $(@D) $(MUTANTS) $(MUTATION_SEED) \
-	    "-GVERTICES=$(MUTANTS_VERTICES) -GQUADS=$(MUTANTS_QUADS) $(smallest)"
+	    "-GVERTICES=$(MUTANTS_VERTICES) -GQUADS=$(MUTANTS_QUADS) -GPARITY=0 $(smallest)"
 
 # Yosys's Verilog is not written to be read: without warnings.
 $(MUTATION)/verilated/log: $(MUTATION)/mutants.v

@@ -78,9 +78,10 @@ static int set_up(void **state) {
     hs_golden_report report;
     hs_view view[VIEWS];
     hs_error err;
-    make_shape(&all.mesh, "torus", 0, 0);
-    make_views(&all.mesh, view);
     for (uint32_t i = 0; i < PACKETS; i++) {
+        hs_mesh_free(&all.mesh);
+        make_shape(&all.mesh, i == 2 ? "tetrahedron" : "cube", 0, 0);
+        make_views(&all.mesh, view);
         assert_true(hs_packet_encode(&all.in[i], i, &all.mesh, view[i].matrix, &settings[i], &err));
         assert_true(hs_golden_run(golden, &all.in[i], &all.out[i], &report, &err));
         assert_int_equal(report.status, HS_STATUS_OK);

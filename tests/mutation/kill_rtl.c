@@ -157,9 +157,11 @@ static bool answers(hs_rtl *rtl, const vector *v, const hs_model_config *config,
     char text[200];
     if (!hs_rtl_run(rtl, &v->in, v->stalls, &out, &report, &err))
         snprintf(finding, FINDING, "%s: %.300s", v->name, err.text);
-    else if (hs_compare_words(&v->out, &out).different)
-        snprintf(finding, FINDING, "%s: word %zu", v->name, hs_compare_words(&v->out, &out).first);
-    else if (!hs_cycle_report_equal(&report, &v->report, text, sizeof text))
+    else if (hs_compare_words(&v->out, &out).different) {
+        hs_compare_describe(&v->out, &out, hs_compare_words(&v->out, &out).first, "the RTL", text,
+                            sizeof text);
+        snprintf(finding, FINDING, "%s: %s", v->name, text);
+    } else if (!hs_cycle_report_equal(&report, &v->report, text, sizeof text))
         snprintf(finding, FINDING, "%s: %s", v->name, text);
     else
         return beats_are_in_time(rtl, v, config, finding);
