@@ -388,28 +388,29 @@ static tally add_up(const tally *part) {
 }
 
 /* Whether every claim was held up, and something was claimed. */
-static bool print_report(const tally *t, uint64_t streams, uint64_t seed) {
+static bool print_report(const char *name, const tally *t, uint64_t streams, uint64_t seed) {
     bool good = t->streams >= streams && t->behind > 0 && t->compared > 0;
     for (uint32_t m = 0; m < MUTATIONS; m++)
         printf("%10llu %s\n", (unsigned long long)t->mutation[m], mutation_name((mutation)m));
     for (uint32_t s = 0; s < 256; s++) {
         if (strcmp(hs_status_name(s), "?") == 0) continue;
         printf("%10llu %s\n", (unsigned long long)t->status[s], hs_status_name(s));
-        if (t->status[s] == 0) {
+        /* Whether a memory fails is no matter of the stream. */
+        if (t->status[s] == 0 && s != HS_STATUS_MEMORY_FAULT) {
             printf("fuzz_rtl: no stream had the status %s\n", hs_status_name(s));
             good = false;
         }
     }
-    printf("result: fuzz rtl: %llu streams, %llu with their CRC mended, in %llu rows, %llu of them "
+    printf("result: %s: %llu streams, %llu with their CRC mended, in %llu rows, %llu of them "
            "with stalls; %llu packets alone; seed %llu\n",
-           (unsigned long long)t->streams, (unsigned long long)t->mended,
+           name, (unsigned long long)t->streams, (unsigned long long)t->mended,
            (unsigned long long)t->rows, (unsigned long long)t->stalled,
            (unsigned long long)t->alone, (unsigned long long)seed);
-    printf("result: fuzz rtl: %llu words in, %llu words out compared, %llu good views behind, %llu "
+    printf("result: %s: %llu words in, %llu words out compared, %llu good views behind, %llu "
            "cycles, at most %.0f%% of a limit\n",
-           (unsigned long long)t->words, (unsigned long long)t->compared,
+           name, (unsigned long long)t->words, (unsigned long long)t->compared,
            (unsigned long long)t->behind, (unsigned long long)t->cycles, 100 * t->fullest);
-    printf("result: fuzz rtl:");
+    printf("result: %s:", name);
     for (uint32_t f = 0; f < FAILURES; f++) {
         printf("%s %llu %s", f ? "," : "", (unsigned long long)t->failure[f], failure_name[f]);
         good = good && t->failure[f] == 0;
@@ -435,6 +436,7 @@ int main(int argc, char **argv) {
     for (int status; wait(&status) > 0;)
         good = WIFEXITED(status) && WEXITSTATUS(status) == HS_EXIT_OK && good;
     const tally all = add_up(part);
-    good = print_report(&all, streams, seed) && good;
+    const char *slash = strrchr(argv[0], '/'); /* the name tells the architecture */
+    good = print_report(slash ? slash + 1 : argv[0], &all, streams, seed) && good;
     return good ? HS_EXIT_OK : HS_EXIT_DIFFERENT;
 }

@@ -187,10 +187,11 @@ static void hostile_packets_are_refused_or_refined_and_leave_no_trace(void **sta
         assert_int_equal(out.words, expected->words);
         assert_memory_equal(out.word, expected->word, 4 * out.words);
     }
-    /* Every status there is has come up. */
+    /* Every status there is has come up, but the one that only hardware has. */
     uint64_t all = 0;
     for (uint32_t s = 0; s < 64; s++)
-        if (strcmp(hs_status_name(s), "?") != 0) all |= (uint64_t)1 << s;
+        if (strcmp(hs_status_name(s), "?") != 0 && s != HS_STATUS_MEMORY_FAULT)
+            all |= (uint64_t)1 << s;
     if (!wish)
         for (uint32_t s = 0; s < 64; s++)
             if ((all & ~seen) >> s & 1) fail_msg("no packet had the status %s", hs_status_name(s));
