@@ -17,6 +17,8 @@ $(BUILD)/fail_alloc.so: tests/fail_alloc.c
 $(BUILD)/test_harness: | $(BUILD)/halfstep $(BUILD)/halfstep-faulty $(BUILD)/parity-faulty $(BUILD)/test_rtl_throughput
 $(BUILD)/test_processes: | $(BUILD)/halfstep $(BUILD)/fail_alloc.so
 
+# Points of a run at which it is killed.
+POINTS := 50
 .PHONY: processes
 processes: $(BUILD)/test_processes ## full disks, kills, two at once, little memory: every writer, in full
-	@HS_PROCESSES=full $<
+	@HS_PROCESSES=$(POINTS) $<
