@@ -50,20 +50,18 @@ module fifo #(
   logic [INDEX_BITS:0] read_q, write_q;
   localparam int unsigned BITS = WIDTH + 32'(PARITY);
   logic [BITS-1:0] storage_q[0:DEPTH-1];
-  logic [BITS-1:0] in_word, out_word;
   logic take, give;
 
   assign level_o = write_q - read_q;
   assign in_ready_o = !level_o[INDEX_BITS];
   assign out_valid_o = write_q != read_q;
-  assign out_word = storage_q[read_q[INDEX_BITS-1:0]];
-  assign out_data_o = out_word[WIDTH-1:0];
+  assign out_data_o = storage_q[read_q[INDEX_BITS-1:0]][WIDTH-1:0];
   assign take = in_valid_i && in_ready_o;
   assign give = out_valid_o && out_ready_i;
 
   always_ff @(posedge clk_i) begin
     if (take) begin
-      storage_q[write_q[INDEX_BITS-1:0]] <= in_word;
+      storage_q[write_q[INDEX_BITS-1:0]] <= BITS'({^in_data_i, in_data_i});
       write_q <= write_q + 1'b1;
     end
     if (give) read_q <= read_q + 1'b1;
@@ -73,19 +71,14 @@ module fifo #(
     end
   end
 
-  if (PARITY) begin : g_parity
-    logic fault_q;
+  logic fault_q;
 
-    assign in_word = {^in_data_i, in_data_i};
-    always_ff @(posedge clk_i) begin
-      fault_q <= 1'b0;
-      if (give && !rst_i) fault_q <= ^out_word;
-    end
-    assign fault_o = fault_q;
-  end else begin : g_plain
-    assign in_word = in_data_i;
-    assign fault_o = 1'b0;
+  always_ff @(posedge clk_i) begin
+    fault_q <= 1'b0;
+    if (PARITY && give && !rst_i)
+      fault_q <= ^out_data_o != storage_q[read_q[INDEX_BITS-1:0]][BITS-1];
   end
+  assign fault_o = fault_q;
 
 `ifndef YOSYS
   // What the user owes: a word that was offered and not taken is offered again.
