@@ -376,13 +376,14 @@ bool hs_output_decode(hs_output *output, const hs_packet *packet, hs_error *err)
     if (!check_packet(&in, &sum)) return false;
 
     const uint32_t *trailer = packet->word + packet->words - 8, *end = trailer + 4;
+    const bool faulty = is_faulty(packet);
     hs_output out = {.view = packet->view,
                      .status = trailer[0] & 0xff,
                      .error_position = trailer[1],
                      .exponent = (int32_t)packet->word[2],
-                     .generations = generation_of(end),
+                     .generations = faulty ? 0 : generation_of(end),
                      .triangles = sum.triangles,
-                     .at_level = packet->word[packet->words - 2],
+                     .at_level = faulty ? 0 : end[2],
                      .corners = sum.corners,
                      .position = new_array(sum.vertices, 16),
                      .number = new_array(sum.vertices, sizeof(uint32_t)),
@@ -398,7 +399,7 @@ bool hs_output_decode(hs_output *output, const hs_packet *packet, hs_error *err)
     bool good = out.position && out.number && out.first && out.corner && out.generation &&
                 out.candidate && map.place;
     if (!good) hs_fail(err, HS_EXIT_INTERNAL, "no memory for the output of view %u", packet->view);
-    good = good && (is_faulty(packet) || take_packet(&in, &out, &map));
+    good = good && (faulty || take_packet(&in, &out, &map));
     free(map.place);
     if (!good) {
         hs_output_free(&out);
