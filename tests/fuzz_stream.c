@@ -164,6 +164,7 @@ static void claim_output(const hs_output *o) {
                        (v == 0 || o->number[v - 1] != o->number[v]),
                    "number %u", o->number[v]);
     const bool refused = o->status > HS_STATUS_STOPPED;
+    fuzz_claim(!refused || (o->generations <= HS_MAX_DEPTH && o->vertices == 0), "a refused view");
     fuzz_claim(refused == (o->faces == 0), "%u faces with status %u", o->faces, o->status);
 }
 
