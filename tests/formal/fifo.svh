@@ -36,9 +36,10 @@
       assert (in_ready_o == (32'(level_o) != DEPTH));
       if (f_inside) begin
         assert (f_ahead < level_o);
-        assert (storage_q[f_place[INDEX_BITS-1:0]] == f_word);
+        assert (storage_q[f_place[INDEX_BITS-1:0]] == BITS'({^f_word, f_word}));
         if (f_ahead == '0) assert (out_valid_o && out_data_o == f_word);
       end
+      if (f_given) assert (!fault_o);
       cover (f_given && level_o != '0);
     end
 
