@@ -335,6 +335,30 @@ static void a_wrong_packet_with_a_right_crc_is_refused_with_its_cause(void **sta
     }
 }
 
+/* Of a view that met a memory's fault, the trailer is looked at, and nothing before it. */
+static void the_trailer_of_a_memory_fault_is_checked(void **state) {
+    (void)state;
+    static const struct {
+        size_t word;
+        uint32_t bit;
+    } wrong[] = {{4, 1 << 9}, {4, 1 << 19}, {5, 1}, {8, 1 << 20}, {11, 1}};
+    for (size_t i = 0; i <= sizeof wrong / sizeof *wrong; i++) {
+        hs_packet packet = {.view = 7};
+        hs_output out;
+        hs_error err;
+        put(&packet, hs_tag(HS_RECORD_HEADER, HS_STREAM_VERSION), 7, 1, 0);
+        put(&packet, hs_tag(HS_RECORD_TRAILER, HS_STATUS_MEMORY_FAULT), HS_NO_POSITION, 3, 1);
+        put_end(&packet, 0, 0);
+        if (i > 0) {
+            packet.word[wrong[i - 1].word] ^= wrong[i - 1].bit;
+            if (wrong[i - 1].word < 11) fix_crc(&packet);
+        }
+        assert_int_equal(hs_output_decode(&out, &packet, &err), i == 0);
+        hs_output_free(&out);
+        hs_packet_free(&packet);
+    }
+}
+
 static void groups_that_are_not_filled_up_are_refused(void **state) {
     (void)state;
     hs_packet packet = {.view = 7};
@@ -584,6 +608,7 @@ int main(void) {
         cmocka_unit_test(every_corrupted_word_is_detected),
         cmocka_unit_test(every_truncation_is_detected),
         cmocka_unit_test(a_wrong_packet_with_a_right_crc_is_refused_with_its_cause),
+        cmocka_unit_test(the_trailer_of_a_memory_fault_is_checked),
         cmocka_unit_test(groups_that_are_not_filled_up_are_refused),
         cmocka_unit_test(generations_go_back_in_the_last_step_alone),
         cmocka_unit_test(a_view_without_faces_is_a_refused_one),

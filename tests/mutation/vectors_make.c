@@ -277,6 +277,53 @@ static void add_large(vectors *all, hs_limits limits) {
     add_fan(all, limits, 258);
 }
 
+/* Numbers of all sizes in matrix and vertices: sums of terms that lie any number of places apart.
+ */
+static void add_places(vectors *all, hs_limits limits) {
+    uint64_t random = 17;
+    for (uint32_t i = 0; i < 4; i++) {
+        hs_mesh mesh;
+        float matrix[16];
+        make_shape(&mesh, "random", 30, i);
+        for (uint32_t k = 0; k < 4 * mesh.vertices; k++)
+            mesh.position[k] = ldexpf(mesh.position[k], -(int)random_below(&random, 28));
+        for (uint32_t k = 0; k < 16; k++) {
+            const float number = 1 + (float)random_below(&random, 1 << 23) / (1 << 23);
+            matrix[k] = ldexpf(k % 3 ? number : -number, -(int)random_below(&random, 28));
+        }
+        const hs_settings s = i % 2 ? adaptive(1, 1, true) : uniform(1);
+        add_view(all, "numbers of all sizes", limits, &mesh, matrix, &s, no_stalls);
+        hs_mesh_free(&mesh);
+    }
+}
+
+/* A triangle two of whose sides are one edge, which is sharp for ever: one quad in each of many
+ * generations. */
+static void add_glued(vectors *all, hs_limits limits) {
+    hs_mesh mesh;
+    hs_packet base = {0};
+    hs_error err;
+    enum { VERTICES_AT = 4 * (HS_HEADER_RECORDS + HS_MATRIX_RECORDS) };
+    make_shape(&mesh, "tetrahedron", 0, 0);
+    hs_settings s = uniform(32);
+    s.boundary = HS_BOUNDARY_SMOOTH;
+    const uint32_t corner[16] = {
+        0,           2,         3,           HS_SHARP_INFINITE, /* 0 to 1 */
+        1,           HS_BORDER, 3 | 1 << 16, 0,                 /* 1 to 1 */
+        1,           0,         3 | 2 << 16, HS_SHARP_INFINITE, /* 1 to 0 */
+        HS_MAGIC_END};
+    if (!hs_packet_encode(&base, 9, &mesh, identity, &s, &err)) give_up("glued", &err);
+    base.word[4] = 1;
+    base.word[5] = 3;
+    hs_packet *packet = &add(all, "a triangle glued to itself", limits, no_stalls)->in;
+    if (!hs_packet_append(packet, base.word, VERTICES_AT / 4 + 4, &err) ||
+        !hs_packet_append(packet, corner, 4, &err))
+        give_up("glued", &err);
+    mend_crc(packet);
+    hs_packet_free(&base);
+    hs_mesh_free(&mesh);
+}
+
 vectors make_vectors(hs_limits capacity, const hs_model_config *config, uint32_t random) {
     vectors all = {.config = *config};
     add_first(&all, capacity);
@@ -287,6 +334,8 @@ vectors make_vectors(hs_limits capacity, const hs_model_config *config, uint32_t
     add_exponents(&all, capacity);
     add_hostile(&all, capacity);
     add_large(&all, capacity);
+    add_places(&all, capacity);
+    add_glued(&all, capacity);
     add_trace(&all, "torus-around-the-eye", capacity);
     add_trace(&all, "capacity-stop", (hs_limits){300, 239});
     engines e = {0};
