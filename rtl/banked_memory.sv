@@ -65,4 +65,8 @@ module banked_memory #(
   end
   assign fault_o = fault_q;
 
+`ifdef HS_FORMAL
+`include "banked_memory.svh"
+`endif
+
 endmodule

@@ -116,4 +116,8 @@ module counters #(
   else $error("counters: a stage claims two activities at once");
 `endif
 
+`ifdef HS_FORMAL
+`include "counters.svh"
+`endif
+
 endmodule

@@ -56,4 +56,8 @@ module fetch #(
     if (rst_i) left_q <= '0;
   end
 
+`ifdef HS_FORMAL
+`include "fetch.svh"
+`endif
+
 endmodule

@@ -182,4 +182,8 @@ module gather #(
     assign out_data_o[i*WIDTH+:WIDTH] = word_q[{head_q, 2'(i)}];
   end
 
+`ifdef HS_FORMAL
+`include "gather.svh"
+`endif
+
 endmodule

@@ -48,4 +48,8 @@ module retag #(
     end
   end
 
+`ifdef HS_FORMAL
+`include "retag.svh"
+`endif
+
 endmodule

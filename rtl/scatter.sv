@@ -103,4 +103,8 @@ module scatter #(
     end
   end
 
+`ifdef HS_FORMAL
+`include "scatter.svh"
+`endif
+
 endmodule
