@@ -293,4 +293,8 @@ module classify #(
   assign starved_o = active_o && !fetch_valid;
   assign item_in_o = busy_o;
 
+`ifdef HS_FORMAL
+`include "activity.svh"
+`endif
+
 endmodule

@@ -261,4 +261,8 @@ module guard #(
   assign item_in_o = busy_o;
   assign item_out_o = verdict_valid_o;
 
+`ifdef HS_FORMAL
+`include "activity.svh"
+`endif
+
 endmodule

@@ -133,4 +133,9 @@ module quantize #(
   assign blocked_o  = 1'b0;
   assign item_in_o  = reading_q;
   assign item_out_o = wr_en_o;
+
+`ifdef HS_FORMAL
+`include "activity.svh"
+`endif
+
 endmodule

@@ -303,4 +303,8 @@ module receive #(
   else $error("receive: a corner has no place in memory, or names what does not exist");
 `endif
 
+`ifdef HS_FORMAL
+`include "activity.svh"
+`endif
+
 endmodule

@@ -237,4 +237,8 @@ module select #(
   assign item_in_o = busy_o;
   assign item_out_o = fold_valid && fold_ready;
 
+`ifdef HS_FORMAL
+`include "activity.svh"
+`endif
+
 endmodule

@@ -402,4 +402,8 @@ module smooth #(
   assign item_out_o = 2'(retire) + 2'(wide_q);
   assign fault_o = along_fault || send_fault || groups_fault;
 
+`ifdef HS_FORMAL
+`include "activity.svh"
+`endif
+
 endmodule

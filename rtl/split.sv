@@ -339,4 +339,8 @@ module split #(
 
   assign fault_o = pass_fault || positions_fault || number_fault || write_fault;
 
+`ifdef HS_FORMAL
+`include "activity.svh"
+`endif
+
 endmodule

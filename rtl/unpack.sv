@@ -115,4 +115,8 @@ module unpack #(
   else $error("unpack: started within a packet");
 `endif
 
+`ifdef HS_FORMAL
+`include "unpack.svh"
+`endif
+
 endmodule
