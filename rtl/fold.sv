@@ -9,15 +9,17 @@
 //   * Each face's last item is marked; each face has one result, in the order of the faces. Items
 //     may come long before the result or after it.
 //   * Neither input is ever refused. stall_o asks the source of items to stop: it may send MARGIN
-//     more. ITEMS - MARGIN must hold a whole face: 255 items.
+//     more. ITEMS - MARGIN must exceed FACE_ITEMS, so that a whole face gets in.
 //   * out_valid_o: the oldest item and its face's result are there; out_ready_i takes the item.
 
 module fold #(
     // Bits of an item and of a result.
     parameter int unsigned ITEM_WIDTH = 8,
     parameter int unsigned RESULT_WIDTH = 8,
-    // Items held; a power of two, 512 or more.
+    // Items held; a power of two.
     parameter int unsigned ITEMS = 512,
+    // Items of a face at most.
+    parameter int unsigned FACE_ITEMS = 255,
     // Items that may still come when stall_o goes high.
     parameter int unsigned MARGIN = 32,
     parameter bit PARITY = 1'b1
@@ -44,8 +46,8 @@ module fold #(
 );
 
   generate
-    if (ITEMS < 256 + MARGIN) begin : gen_bad_items
-      $error("fold: ITEMS must hold a face of 255 items and MARGIN more");
+    if (ITEMS <= FACE_ITEMS + MARGIN) begin : gen_bad_items
+      $error("fold: ITEMS must exceed a face's items and MARGIN");
     end
   endgenerate
 
@@ -100,6 +102,10 @@ module fold #(
   items_fit :
   assert property (@(posedge clk_i) disable iff (rst_i) item_valid_i |-> level < LEVEL_BITS'(ITEMS))
   else $error("fold: an item came although it was told to stop");
+`endif
+
+`ifdef HS_FORMAL
+`include "fold.svh"
 `endif
 
 endmodule

@@ -228,4 +228,8 @@ module pack #(
   else $error("pack: the view changed within a packet");
 `endif
 
+`ifdef HS_FORMAL
+`include "pack.svh"
+`endif
+
 endmodule

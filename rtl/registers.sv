@@ -191,4 +191,8 @@ module registers #(
   else $error("registers: a read was withdrawn before it was taken");
 `endif
 
+`ifdef HS_FORMAL
+`include "registers.svh"
+`endif
+
 endmodule

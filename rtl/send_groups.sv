@@ -109,4 +109,8 @@ module send_groups #(
   assign drop = single_valid_o && single_ready_i;
   assign active_o = count_q != 3'd0 || rest_count_q != 2'd0 || group_valid_o;
 
+`ifdef HS_FORMAL
+`include "send_groups.svh"
+`endif
+
 endmodule

@@ -340,7 +340,7 @@ module split #(
   assign fault_o = pass_fault || positions_fault || number_fault || write_fault;
 
 `ifdef HS_FORMAL
-`include "activity.svh"
+`include "split.svh"
 `endif
 
 endmodule
