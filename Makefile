@@ -119,7 +119,7 @@ lint: rtl/hs_pkg.sv docs/reference.md ## Verilator, Yosys, clang-format, cppchec
 	@cppcheck -q --error-exitcode=1 --std=c11 --enable=warning,performance,portability --inline-suppr \
 	    --suppress=missingIncludeSystem -Imodel -Isim $(wildcard model/*.c sim/*.c)
 	@echo "licence lines"
-	@! git ls-files model sim rtl tests Makefile | grep -vE '\.(txt|gp|supp|breaks|f)$$|^tests/corpus/|hs_pkg.sv$$' | \
+	@! git ls-files model sim rtl tests Makefile | grep -vE '\.(txt|gp|supp|breaks|narrow|f)$$|^tests/corpus/|hs_pkg.sv$$' | \
 	    xargs grep -L SPDX-License-Identifier | grep .
 	@git diff --exit-code --stat rtl/hs_pkg.sv docs/reference.md || \
 	    { echo "generated files differ from model/definitions.def: commit them"; exit 1; }
