@@ -36,34 +36,31 @@ module banked_memory #(
   localparam int unsigned BITS = WIDTH + 32'(PARITY);
   localparam int unsigned BANKS = 1 << BANK_BITS;
 
-  logic [BANKS-1:0] parity;  // of the words given now
+  logic [BANKS-1:0] read_q;   // banks that give a word that was read in the last cycle
+  logic [BANKS-1:0] fault_q;
+
+  always_ff @(posedge clk_i) read_q <= rd_en_i;
 
   for (genvar b = 0; b < BANKS; b++) begin : g_bank
     logic [BITS-1:0] word_q[0:(1<<ROW_BITS)-1];
     logic [BITS-1:0] data_q;
+    logic [WIDTH-1:0] wr_data;
+
+    assign wr_data = wr_data_i[b*WIDTH+:WIDTH];
 
     always_ff @(posedge clk_i) begin
       if (rd_en_i[b]) data_q <= word_q[rd_row_i[b*ROW_BITS+:ROW_BITS]];
-      if (wr_en_i[b])
-        word_q[wr_row_i[b*ROW_BITS+:ROW_BITS]] <=
-            BITS'({^wr_data_i[b*WIDTH+:WIDTH], wr_data_i[b*WIDTH+:WIDTH]});
+      if (wr_en_i[b]) word_q[wr_row_i[b*ROW_BITS+:ROW_BITS]] <= BITS'({^wr_data, wr_data});
     end
     assign rd_data_o[b*WIDTH+:WIDTH] = data_q[WIDTH-1:0];
-    assign parity[b] = data_q[BITS-1];
-  end
 
-  // --- Parity, where a word was read that is of use -----------------------------------------------
-  logic [BANKS-1:0] read_q;
-  logic fault_q;
-
-  always_ff @(posedge clk_i) begin
-    read_q  <= rd_en_i;
-    fault_q <= 1'b0;
-    if (PARITY && (read_q & check_i) != '0)
-      for (int b = 0; b < BANKS; b++)
-        if (read_q[b] && check_i[b] && ^rd_data_o[b*WIDTH+:WIDTH] != parity[b]) fault_q <= 1'b1;
+    // Of the bank's own register, not of rd_data_o: a simulator then looks at whole words.
+    always_ff @(posedge clk_i) begin
+      fault_q[b] <= 1'b0;
+      if (PARITY && read_q[b] && check_i[b]) fault_q[b] <= ^data_q;
+    end
   end
-  assign fault_o = fault_q;
+  assign fault_o = fault_q != '0;
 
 `ifdef HS_FORMAL
 `include "banked_memory.svh"

@@ -50,12 +50,14 @@ module fifo #(
   logic [INDEX_BITS:0] read_q, write_q;
   localparam int unsigned BITS = WIDTH + 32'(PARITY);
   logic [BITS-1:0] storage_q[0:DEPTH-1];
+  logic [BITS-1:0] oldest;
   logic take, give;
 
   assign level_o = write_q - read_q;
   assign in_ready_o = !level_o[INDEX_BITS];
   assign out_valid_o = write_q != read_q;
-  assign out_data_o = storage_q[read_q[INDEX_BITS-1:0]][WIDTH-1:0];
+  assign oldest = storage_q[read_q[INDEX_BITS-1:0]];
+  assign out_data_o = oldest[WIDTH-1:0];
   assign take = in_valid_i && in_ready_o;
   assign give = out_valid_o && out_ready_i;
 
@@ -75,8 +77,7 @@ module fifo #(
 
   always_ff @(posedge clk_i) begin
     fault_q <= 1'b0;
-    if (PARITY && give && !rst_i)
-      fault_q <= ^out_data_o != storage_q[read_q[INDEX_BITS-1:0]][BITS-1];
+    if (PARITY && give && !rst_i) fault_q <= ^oldest;
   end
   assign fault_o = fault_q;
 
