@@ -37,6 +37,3 @@ coverage: $(COVERAGE_C) $(BUILD)/halfstep $(BUILD)/libsim.a $(BUILD)/tests/parit
 	    $(addprefix $(COVERAGE_RTL)/,$(COVERAGE_UNITS) $(COVERAGE_PIPELINES))
 	@tests/coverage/run $(COVERAGE) out/coverage.md $(COVERAGE_PARITY) $(COVERAGE_CAPACITY) \
 	    $(COVERAGE_C:$(BUILD)/%=build/%) -- $(addprefix $(COVERAGE_RTL)/,$(COVERAGE_UNITS) $(COVERAGE_PIPELINES))
-
-# Its allocations fail on demand.
-$(BUILD)/test_allocations: LIBS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
  * Memory that runs out at any allocation: whatever asks for it says so, gives back what it had, and
- * works when it is asked again. The linker turns the C code's calls into those below (--wrap, see
- * tests/coverage.mk); the n-th fails, and all after it, for n from 0 until nothing fails.
+ * works when it is asked again. The n-th fails, and all after it, for n from 1 until nothing fails.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -15,6 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "allocations.h"
 #include "catmull_clark.h"
 #include "mesh_info.h"
 #include "model.h"
@@ -22,69 +22,27 @@
 #include "reference.h"
 #include "shape.h"
 
-static uint64_t left = UINT64_MAX; /* allocations that succeed */
-static int64_t held;               /* blocks that were not given back */
-
-void *__real_malloc(size_t size);
-void *__real_calloc(size_t count, size_t size);
-void *__real_realloc(void *block, size_t size);
-void __real_free(void *block);
-void *__wrap_malloc(size_t size);
-void *__wrap_calloc(size_t count, size_t size);
-void *__wrap_realloc(void *block, size_t size);
-void __wrap_free(void *block);
-
-static bool granted(void) {
-    if (left == 0) return false;
-    left--;
-    return true;
-}
-
-void *__wrap_malloc(size_t size) {
-    void *block = granted() ? __real_malloc(size) : NULL;
-    held += block != NULL;
-    return block;
-}
-
-void *__wrap_calloc(size_t count, size_t size) {
-    void *block = granted() ? __real_calloc(count, size) : NULL;
-    held += block != NULL;
-    return block;
-}
-
-void *__wrap_realloc(void *block, size_t size) {
-    void *more = granted() ? __real_realloc(block, size) : NULL;
-    held += !block && more;
-    return more;
-}
-
-void __wrap_free(void *block) {
-    held -= block != NULL;
-    __real_free(block);
-}
-
 /* Fails at each allocation in turn. work says whether it was done; what it leaves is freed by it.
  */
 typedef bool worker(hs_error *err);
 
 static void assert_survives(worker *work, const char *what) {
-    uint64_t n = 0;
-    for (bool done = false; !done; n++) {
+    uint32_t n = 0;
+    for (bool done = false; !done;) {
         hs_error err = {0};
-        const int64_t before = held;
-        left = n;
+        const size_t before = allocations.held;
+        start_failing(++n, true);
         done = work(&err);
-        const bool failed = left == 0;
-        left = UINT64_MAX;
-        if (held != before)
-            fail_msg("%s: %lld blocks are lost when allocation %llu fails", what,
-                     (long long)(held - before), (unsigned long long)n);
+        const bool failed = stop_failing();
+        if (allocations.held != before)
+            fail_msg("%s: %td bytes are lost when allocation %u fails", what,
+                     (ptrdiff_t)(allocations.held - before), n);
         if (!done && !failed) fail_msg("%s: fails for want of nothing: %s", what, err.text);
         if (!done && (err.code != HS_EXIT_INTERNAL || !strstr(err.text, "memory")))
-            fail_msg("%s: allocation %llu fails, and it says \"%s\" (%d)", what,
-                     (unsigned long long)n, err.text, err.code);
+            fail_msg("%s: allocation %u fails, and it says \"%s\" (%d)", what, n, err.text,
+                     err.code);
     }
-    print_message("%s: %llu allocations\n", what, (unsigned long long)n);
+    print_message("%s: %u allocations\n", what, n);
     assert_true(n > 2);
 }
 

@@ -3,61 +3,8 @@
  * Memory that is exhausted, at each allocation in turn: who asked for it says so, and once there is
  * memory again, the same contexts answer as if nothing had been.
  */
-#include <malloc.h>
-
+#include "allocations.h"
 #include "rtl_samples.h"
-
-/* --- Allocations that fail: glibc lets a program have its own ------------------------------------
- */
-void *__libc_malloc(size_t size);
-void *__libc_calloc(size_t count, size_t size);
-void *__libc_realloc(void *block, size_t size);
-void __libc_free(void *block);
-
-static bool counting;
-static uint32_t allocations, failing; /* since counting began; the one that fails, from 1 */
-
-static bool fails(void) {
-    return counting && ++allocations == failing;
-}
-
-static size_t held; /* bytes of all blocks that are not freed */
-
-static void *take(void *block) {
-    held += malloc_usable_size(block);
-    return block;
-}
-
-void *malloc(size_t size) {
-    return fails() ? NULL : take(__libc_malloc(size));
-}
-void *calloc(size_t count, size_t size) {
-    return fails() ? NULL : take(__libc_calloc(count, size));
-}
-void *realloc(void *block, size_t size) {
-    if (fails()) return NULL;
-    const size_t before = malloc_usable_size(block);
-    void *more = __libc_realloc(block, size);
-    if (more) held -= before;
-    return take(more);
-}
-void free(void *block) {
-    held -= malloc_usable_size(block);
-    __libc_free(block);
-}
-
-/* From here to stop_failing the allocation of that number fails. */
-static void start_failing(uint32_t number) {
-    allocations = 0;
-    failing = number;
-    counting = true;
-}
-
-/* Whether it did. */
-static bool stop_failing(void) {
-    counting = false;
-    return allocations >= failing;
-}
 
 /* --- Packets ------------------------------------------------------------------------------------
  */
@@ -110,7 +57,7 @@ static uint32_t exhaust_golden(const samples_of_all *all, uint32_t first) {
     bool failed = true;
     uint32_t n = 0;
     for (; failed; n++) {
-        start_failing(n + 1);
+        start_failing(n + 1, false);
         hs_golden *golden = hs_golden_new(HS_DEFAULT_LIMITS);
         hs_packet out = {0};
         bool good = golden != NULL;
@@ -153,7 +100,7 @@ static void the_model_says_so_and_goes_on(void **state) {
     hs_packet_free(&out);
     for (; failed; n++) {
         hs_log log = {0};
-        start_failing(n + 1);
+        start_failing(n + 1, false);
         hs_model *model = hs_model_new(HS_DEFAULT_LIMITS, HS_DEFAULT_CONFIG, &err);
         bool good = model != NULL;
         if (good)
@@ -181,7 +128,7 @@ static void packets_say_so(void **state) {
     bool failed = true;
     for (uint32_t n = 1; failed; n++) {
         hs_packet packet = {0};
-        start_failing(n);
+        start_failing(n, false);
         const bool good = hs_packet_encode(&packet, 1, &all->mesh, identity, &settings, &err);
         failed = stop_failing();
         assert_int_equal(good, !failed);
@@ -191,7 +138,7 @@ static void packets_say_so(void **state) {
     failed = true;
     for (uint32_t n = 1; failed; n++) {
         hs_output output;
-        start_failing(n);
+        start_failing(n, false);
         const bool good = hs_output_decode(&output, &all->out[0], &err);
         failed = stop_failing();
         assert_int_equal(good, !failed);
@@ -206,18 +153,18 @@ static void golden_knows_what_it_holds(void **state) {
     const samples_of_all *all = *state;
     hs_golden_report report;
     hs_error err;
-    const size_t before = held;
+    const size_t before = allocations.held;
     hs_golden *golden = hs_golden_new(HS_DEFAULT_LIMITS);
     hs_packet out = {0};
     for (uint32_t i = 0; i < PACKETS; i++) {
         assert_true(hs_golden_run(golden, &all->in[i], &out, &report, &err));
-        const size_t bytes = held - before - malloc_usable_size(out.word);
+        const size_t bytes = allocations.held - before - malloc_usable_size(out.word);
         assert_true(hs_golden_bytes(golden) <= bytes);
         assert_true(hs_golden_bytes(golden) >= bytes - 60 * 64);
     }
     hs_packet_free(&out);
     hs_golden_free(golden);
-    assert_int_equal(held, before);
+    assert_int_equal(allocations.held, before);
 }
 
 int main(void) {
