@@ -126,19 +126,21 @@ static void packets_say_so(void **state) {
     const hs_settings settings = uniform(1);
     hs_error err = {0};
     bool failed = true;
-    for (uint32_t n = 1; failed; n++) {
+    uint32_t n = 0;
+    for (; failed; n++) {
         hs_packet packet = {0};
-        start_failing(n, false);
+        start_failing(n + 1, false);
         const bool good = hs_packet_encode(&packet, 1, &all->mesh, identity, &settings, &err);
         failed = stop_failing();
         assert_int_equal(good, !failed);
         if (failed) assert_int_equal(err.code, HS_EXIT_INTERNAL);
         hs_packet_free(&packet);
     }
+    assert_true(n > 1);
     failed = true;
-    for (uint32_t n = 1; failed; n++) {
+    for (n = 0; failed; n++) {
         hs_output output;
-        start_failing(n, false);
+        start_failing(n + 1, false);
         const bool good = hs_output_decode(&output, &all->out[0], &err);
         failed = stop_failing();
         assert_int_equal(good, !failed);
@@ -146,6 +148,7 @@ static void packets_say_so(void **state) {
         if (failed) assert_null(output.position);
         hs_output_free(&output);
     }
+    assert_true(n > 1);
 }
 
 /* But for what malloc and each array put in front. */
