@@ -8,6 +8,8 @@ MUTATION_SEED := 1
 MUTATION_JOBS := $(shell nproc)
 MUTATION      := $(BUILD)/mutation/$(MUTANTS)-$(MUTATION_SEED)
 
+VECTORS := $(patsubst %,$(BUILD)/tests/mutation/%.o,vectors vectors_make vectors_aimed)
+
 # --- The RTL: one build of the smallest architecture, with small memories -----------------------------
 MUTANTS_VERTICES := 512
 MUTANTS_QUADS    := 1024
@@ -30,17 +32,28 @@ $(MUTATION)/rtl_shim.o: sim/rtl_shim.cpp
 $(MUTATION)/registers_shim.o: tests/registers_shim.cpp
 
 $(BUILD)/tests/mutation/kill_rtl.o: CFLAGS += -DMUTANTS_VERTICES=$(MUTANTS_VERTICES) -DMUTANTS_QUADS=$(MUTANTS_QUADS)
-$(MUTATION)/kill_rtl: $(BUILD)/tests/mutation/kill_rtl.o $(BUILD)/tests/mutation/vectors.o \
-    $(BUILD)/tests/mutation/vectors_make.o $(MUTATION)/rtl_shim.o $(MUTATION)/registers_shim.o $(BUILD)/libsim.a \
-    $(RUNTIME) $(BUILD)/libhalfstep.a
+$(MUTATION)/kill_rtl: $(BUILD)/tests/mutation/kill_rtl.o $(VECTORS) $(MUTATION)/rtl_shim.o \
+    $(MUTATION)/registers_shim.o $(BUILD)/libsim.a $(RUNTIME) $(BUILD)/libhalfstep.a
 	$(CXX) $(filter %.o,$^) $(MUTATION)/verilated/Vmutants__ALL.a $(filter %.a,$^) -o $@ $(LIBS) -lcmocka -pthread
+
+# The test of a module alone, with one of it that has a mutant: UNIT and UNIT_DIR are tests/mutation/unit's.
+ifdef UNIT
+UNIT_CLASS := $(if $(filter fp,$(UNIT)),Vfp_top,V$(UNIT))
+$(UNIT_DIR)/log: $(UNIT_DIR)/mutant.v
+	$(call VERILATED,$(UNIT_CLASS),+define+HS_ASSERT_DATA -Wno-lint -Wno-style -Wno-fatal --top-module $(UNIT)_top \
+	    -y rtl rtl/hs_pkg.sv $< tests/$(UNIT)_top.sv)
+$(UNIT_DIR)/shim.o: tests/$(UNIT)_shim.cpp $(UNIT_DIR)/log
+	$(CXX) $(VERILATED_FLAGS) -isystem $(@D) -c $< -o $@
+$(UNIT_DIR)/test: $(BUILD)/tests/test_$(UNIT).o $(UNIT_DIR)/shim.o $(RUNTIME) $(BUILD)/libhalfstep.a
+	$(CXX) $(filter %.o,$^) $(UNIT_DIR)/$(UNIT_CLASS)__ALL.a $(BUILD)/libhalfstep.a -o $@ -lcmocka -lz -lm -pthread
+endif
 
 # --- The C code: each mutant is compiled alone ---------------------------------------------------------
 $(BUILD)/mutation/mutate: $(BUILD)/tests/mutation/mutate.o
 	$(CC) $^ -o $@
 
-$(BUILD)/mutation/record_vectors: $(BUILD)/tests/mutation/record_vectors.o $(BUILD)/tests/mutation/vectors_make.o \
-    $(BUILD)/tests/mutation/vectors.o $(BUILD)/libsim.a $(BUILD)/libhalfstep.a
+$(BUILD)/mutation/record_vectors: $(BUILD)/tests/mutation/record_vectors.o $(VECTORS) \
+    $(BUILD)/libsim.a $(BUILD)/libhalfstep.a
 	@mkdir -p $(@D)
 	$(CXX) $^ -o $@ $(LIBS) -lcmocka
 

@@ -3,8 +3,9 @@
  * Has the mutants of the RTL answer the test vectors, each until its first difference in a word, a
  * cycle, a counter or a register.
  *
- *   kill_rtl MUTANTS JOBS VECTORS     a line for each mutant from 1 on: number, "killed" or
- * "alive", by what
+ *   kill_rtl JOBS RANDOM MUTANT...     a line for each mutant: number, "killed" or "alive", by what
+ *
+ * RANDOM is how many of the vectors are random.
  *
  * Mutant 0 is none: it has to survive, or the program ends with HS_EXIT_DIFFERENT.
  */
@@ -209,19 +210,19 @@ static void bury(uint32_t mutant, int status) {
     fflush(stdout);
 }
 
-static void run_mutants(uint32_t count, uint32_t jobs, const vectors *all) {
+static void run_mutants(char **number, uint32_t count, uint32_t jobs, const vectors *all) {
     enum { MOST_JOBS = 64 };
     pid_t process[MOST_JOBS] = {0};
-    uint32_t mutant[MOST_JOBS] = {0}, next = 1, running = 0;
+    uint32_t mutant[MOST_JOBS] = {0}, next = 0, running = 0;
     if (jobs > MOST_JOBS) jobs = MOST_JOBS;
-    while (next <= count || running > 0) {
-        for (uint32_t j = 0; j < jobs && next <= count; j++) {
+    while (next < count || running > 0) {
+        for (uint32_t j = 0; j < jobs && next < count; j++) {
             if (process[j]) continue;
+            mutant[j] = (uint32_t)atoi(number[next++]);
             const pid_t pid = fork();
-            if (pid == 0) live(next, all);
+            if (pid == 0) live(mutant[j], all);
             if (pid < 0) exit(HS_EXIT_INTERNAL);
             process[j] = pid;
-            mutant[j] = next++;
             running++;
         }
         int status;
@@ -236,8 +237,8 @@ static void run_mutants(uint32_t count, uint32_t jobs, const vectors *all) {
 }
 
 int main(int argc, char **argv) {
-    if (argc != 3) {
-        fprintf(stderr, "usage: kill_rtl MUTANTS JOBS\n");
+    if (argc < 4) {
+        fprintf(stderr, "usage: kill_rtl JOBS RANDOM MUTANT...\n");
         return HS_EXIT_USAGE;
     }
     hs_error err = {0};
@@ -246,7 +247,7 @@ int main(int argc, char **argv) {
     if (!rtl) fprintf(stderr, "mutation: %s\n", err.text);
     if (!rtl) return HS_EXIT_DIFFERENT;
     const hs_model_config config = hs_model_config_decode(hs_rtl_architecture(rtl));
-    const vectors all = make_vectors(capacity, &config, 60);
+    const vectors all = make_vectors(capacity, &config, (uint32_t)atoi(argv[2]));
     uint64_t cycles = 0;
     hs_rtl_free(rtl);
     for (uint32_t i = 0; i < all.count; i++)
@@ -256,6 +257,6 @@ int main(int argc, char **argv) {
         fprintf(stderr, "mutation: without a mutant: %s\n", finding);
         return HS_EXIT_DIFFERENT;
     }
-    run_mutants((uint32_t)atoi(argv[1]), (uint32_t)atoi(argv[2]), &all);
+    run_mutants(argv + 3, (uint32_t)argc - 3, (uint32_t)atoi(argv[1]), &all);
     return HS_EXIT_OK;
 }

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
+#include "vectors_make.h"
 #include "../reference_shapes.h"
 #include "../rtl_samples.h"
 #include "trace.h"
-#include "vectors.h"
 
 static void *grow(void *array, size_t count, size_t size) {
     if ((count & (count + 1)) != 0 && array)
@@ -12,12 +12,12 @@ static void *grow(void *array, size_t count, size_t size) {
     return larger;
 }
 
-static void give_up(const char *what, const hs_error *err) {
+void give_up(const char *what, const hs_error *err) {
     fprintf(stderr, "mutation: %s: %s\n", what, err->text);
     exit(HS_EXIT_DIFFERENT);
 }
 
-static vector *add(vectors *all, const char *name, hs_limits limits, hs_stalls stalls) {
+vector *add_vector(vectors *all, const char *name, hs_limits limits, hs_stalls stalls) {
     all->item = grow(all->item, all->count, sizeof *all->item);
     vector *v = &all->item[all->count++];
     memset(v, 0, sizeof *v);
@@ -27,11 +27,12 @@ static vector *add(vectors *all, const char *name, hs_limits limits, hs_stalls s
     return v;
 }
 
-static void add_view(vectors *all, const char *name, hs_limits limits, const hs_mesh *mesh,
-                     const float matrix[16], const hs_settings *settings, hs_stalls stalls) {
+vector *add_view(vectors *all, const char *name, hs_limits limits, const hs_mesh *mesh,
+                 const float matrix[16], const hs_settings *settings, hs_stalls stalls) {
     hs_error err;
-    vector *v = add(all, name, limits, stalls);
+    vector *v = add_vector(all, name, limits, stalls);
     if (!hs_packet_encode(&v->in, all->count, mesh, matrix, settings, &err)) give_up(name, &err);
+    return v;
 }
 
 static void copy_packet(hs_packet *to, const hs_packet *from) {
@@ -86,7 +87,7 @@ static void add_trace(vectors *all, const char *name, hs_limits limits) {
     if (!hs_stream_file_read(&input, path, &err)) give_up(path, &err);
     for (uint32_t i = 0; i < input.packets; i++) {
         snprintf(text, sizeof text, "trace %s, view %u", name, i);
-        copy_packet(&add(all, text, limits, no_stalls)->in, &input.packet[i]);
+        copy_packet(&add_vector(all, text, limits, no_stalls)->in, &input.packet[i]);
     }
     hs_stream_file_free(&input);
 }
@@ -147,15 +148,15 @@ static void add_hostile(vectors *all, hs_limits limits) {
             char text[80];
             const uint32_t value = values[(k * 5 + w / 4 + 4 * twice) % 9];
             snprintf(text, sizeof text, "word %u set to 0x%x", w, value);
-            vector *v = add(all, text, limits, no_stalls);
+            vector *v = add_vector(all, text, limits, no_stalls);
             copy_packet(&v->in, &good);
             v->in.word[w] = value;
             if (w / 4 + 1 < good.words / 4) mend_crc(&v->in);
         }
-    for (uint32_t records = 0; records < good.words / 4 + 3; records += 3) {
+    for (uint32_t records = 0; records < good.words / 4 + 6; records += 3) {
         char text[80];
         snprintf(text, sizeof text, "%u records of %zu", records, good.words / 4);
-        vector *v = add(all, text, limits, no_stalls);
+        vector *v = add_vector(all, text, limits, no_stalls);
         copy_packet(&v->in, &good);
         while (v->in.words < 4 * (size_t)records)
             if (!hs_packet_append(&v->in, good.word, 1, &err)) give_up(text, &err);
@@ -209,13 +210,11 @@ static void add_wide(vectors *all, hs_limits limits) {
     }
 }
 
-/* n triangles around vertex 0, each alone: above 255, those behind are one corner too many each. */
-static void add_fan(vectors *all, hs_limits limits, uint32_t n) {
+vector *add_fan(vectors *all, hs_limits limits, uint32_t n) {
     hs_mesh mesh;
     hs_packet base = {0};
     hs_error err;
     char text[80];
-    enum { VERTICES_AT = 4 * (HS_HEADER_RECORDS + HS_MATRIX_RECORDS) };
     make_shape(&mesh, "tetrahedron", 0, 0);
     const hs_settings s = uniform(1);
     if (!hs_packet_encode(&base, 9, &mesh, identity, &s, &err)) give_up("fan", &err);
@@ -223,7 +222,8 @@ static void add_fan(vectors *all, hs_limits limits, uint32_t n) {
     base.word[4] = n;
     base.word[5] = 3 * n;
     snprintf(text, sizeof text, "a fan of %u", n);
-    hs_packet *packet = &add(all, text, limits, no_stalls)->in;
+    vector *v = add_vector(all, text, limits, no_stalls);
+    hs_packet *packet = &v->in;
     bool good = hs_packet_append(packet, base.word, VERTICES_AT / 4 + 4, &err);
     for (uint32_t h = 0; good && h < 3 * n; h++) {
         const uint32_t record[4] = {h % 3, HS_BORDER, 3 | h % 3 << 16, 0};
@@ -233,6 +233,7 @@ static void add_fan(vectors *all, hs_limits limits, uint32_t n) {
         give_up(text, &err);
     mend_crc(packet);
     hs_packet_free(&base);
+    return v;
 }
 
 /* So many vertices, faces and corners that every bit of their numbers is needed. */
@@ -303,7 +304,6 @@ static void add_glued(vectors *all, hs_limits limits) {
     hs_mesh mesh;
     hs_packet base = {0};
     hs_error err;
-    enum { VERTICES_AT = 4 * (HS_HEADER_RECORDS + HS_MATRIX_RECORDS) };
     make_shape(&mesh, "tetrahedron", 0, 0);
     hs_settings s = uniform(32);
     s.boundary = HS_BOUNDARY_SMOOTH;
@@ -315,7 +315,7 @@ static void add_glued(vectors *all, hs_limits limits) {
     if (!hs_packet_encode(&base, 9, &mesh, identity, &s, &err)) give_up("glued", &err);
     base.word[4] = 1;
     base.word[5] = 3;
-    hs_packet *packet = &add(all, "a triangle glued to itself", limits, no_stalls)->in;
+    hs_packet *packet = &add_vector(all, "a triangle glued to itself", limits, no_stalls)->in;
     if (!hs_packet_append(packet, base.word, VERTICES_AT / 4 + 4, &err) ||
         !hs_packet_append(packet, corner, 4, &err))
         give_up("glued", &err);
@@ -336,6 +336,7 @@ vectors make_vectors(hs_limits capacity, const hs_model_config *config, uint32_t
     add_large(&all, capacity);
     add_places(&all, capacity);
     add_glued(&all, capacity);
+    add_aimed(&all, capacity);
     add_trace(&all, "torus-around-the-eye", capacity);
     add_trace(&all, "capacity-stop", (hs_limits){300, 239});
     engines e = {0};
