@@ -171,7 +171,8 @@ module pipeline #(
   logic split_active, check_error, check_sharpness, send_at_level, valence_error, send_valid, send_ready, split_op;
   logic split_ready, split_first, split_last;
   logic [QW-1:0] check_corner, valence_corner;
-  logic [QW:0] selected_count, refined_count, children;
+  logic any_selected;
+  logic [QW:0] refined_count, children;
   logic [QW+2:0] refined_sides;
   logic [VW-1:0] send_vertex;
   logic group_valid, group_ready;
@@ -208,7 +209,7 @@ module pipeline #(
       .select_active_o(select_active), .guard_active_o(guard_active),
       .smooth_active_o(smooth_active), .split_active_o(split_active), .check_error_o(check_error),
       .check_corner_o(check_corner), .valence_error_o(valence_error),
-      .valence_corner_o(valence_corner), .selected_count_o(selected_count),
+      .valence_corner_o(valence_corner), .any_selected_o(any_selected),
       .refined_count_o(refined_count), .refined_sides_o(refined_sides), .children_o(children),
       .clip_valid_i(clip_valid), .clip_index_i(clip_index), .clip_i(clip),
       .quantize_rd_i(quantize_rd), .quantize_rd_index_i(quantize_rd_index),
@@ -285,7 +286,7 @@ module pipeline #(
       .classify_active_i(classify_active), .check_active_i(check_active),
       .check_error_i(check_error), .check_corner_i(check_corner), .valence_error_i(valence_error),
       .valence_corner_i(valence_corner), .kick_select_o(kick_select),
-      .select_active_i(select_active), .selected_i(selected_count), .kick_guard_o(kick_guard),
+      .select_active_i(select_active), .any_selected_i(any_selected), .kick_guard_o(kick_guard),
       .guard_active_i(guard_active), .refined_i(refined_count), .sides_i(refined_sides),
       .kick_smooth_o(kick_smooth), .smooth_active_i(smooth_active), .kick_split_o(kick_split),
       .split_active_i(split_active), .children_i(children), .op_valid_o(control_op),

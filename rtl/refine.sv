@@ -52,7 +52,8 @@ module refine #(
     output logic check_sharpness_o,
     output logic valence_error_o,
     output logic [QW-1:0] valence_corner_o,
-    output logic [QW:0] selected_count_o, refined_count_o,
+    output logic        any_selected_o,
+    output logic [QW:0] refined_count_o,
     output logic [QW+2:0] refined_sides_o,
     output logic [QW:0] children_o,
 
@@ -360,7 +361,7 @@ module refine #(
       .WINDOW_BITS(WINDOW_BITS), .LANES(LANES), .READ_LATENCY(READ_LATENCY), .PARITY(PARITY)
   ) u_select (
       .clk_i, .rst_i, .start_i(kick_select_i), .items_i, .quads_i, .generation_i, .front_depth_i,
-      .silhouette_depth_i, .active_o(select_active_o), .selected_o(selected_count_o),
+      .silhouette_depth_i, .active_o(select_active_o), .any_o(any_selected_o),
       .record_rd_en_o(select_rd), .record_rd_item_o(select_item), .record_rd_face_o(select_face),
       .record_origin_i(origin), .record_candidate_i(candidate), .record_forced_i(forced),
       .record_half_i(half), .record_last_i(record_last), .face_front_i(front), .face_stop_i(stop),

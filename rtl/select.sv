@@ -9,7 +9,7 @@
 //   * start_i for one cycle with items_i: corners in generation 0 (quads_i low), quads later. The
 //     settings hold until active_o falls.
 //   * Each face's verdict goes to the face memory (selected_valid_o); the vertices of selected faces
-//     are set in the chosen memory. selected_o counts the selected faces.
+//     are set in the chosen memory. any_o: there are selected faces.
 //   * Rate: a quad, or in generation 0 a corner, a cycle; less where bank conflicts fill a window.
 
 module select #(
@@ -32,7 +32,7 @@ module select #(
     input  logic [ 7:0] front_depth_i,
     input  logic [ 7:0] silhouette_depth_i,
     output logic        active_o,
-    output logic [QW:0] selected_o,
+    output logic any_o,
 
     // record memory, lane 0 only in generation 0, lanes 0 to 2 of a half-quad; face memory
     output logic            record_rd_en_o,
@@ -158,7 +158,7 @@ module select #(
       (by_force || (in_view && (by_front || (by_silhouette && silhouette))));
 
   logic [QW-1:0] face_q;
-  logic [QW:0] selected_q;
+  logic any_q;
 
   always_ff @(posedge clk_i) begin
     if (gather_valid) begin
@@ -167,19 +167,19 @@ module select #(
       silhouette_q <= silhouette;
       if (last) begin
         face_q <= face_q + QW'(1);
-        selected_q <= selected_q + (QW + 1)'(verdict);
+        any_q <= any_q || verdict;
       end
     end
     if (start_i) begin
       first_q <= 1'b1;
       face_q <= '0;
-      selected_q <= '0;
+      any_q <= 1'b0;
     end
   end
   assign selected_valid_o = gather_valid && last;
   assign selected_face_o = face_q;
   assign selected_verdict_o = verdict;
-  assign selected_o = selected_q;
+  assign any_o = any_q;
 
   // --- Fold: the corners of selected faces are chosen ---------------------------------------------------
   logic fold_valid, fold_ready, fold_active, fold_verdict, fold_half, scatter_active;

@@ -75,7 +75,7 @@ module sequencer #(
     // select, guard, smooth, split
     output logic          kick_select_o,
     input  logic          select_active_i,
-    input  logic [  QW:0] selected_i,
+    input  logic          any_selected_i,
     output logic          kick_guard_o,
     input  logic          guard_active_i,
     input  logic [  QW:0] refined_i,
@@ -293,8 +293,8 @@ module sequencer #(
       SELECT:
       if (!kick_q && !select_active_i) begin
         kick_q   <= 1'b1;
-        finish_q <= selected_i == '0;
-        state_q  <= selected_i == '0 ? SMOOTH : GUARD;
+        finish_q <= !any_selected_i;
+        state_q  <= any_selected_i ? GUARD : SMOOTH;
       end
 
       GUARD:

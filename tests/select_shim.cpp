@@ -46,7 +46,7 @@ bool select_rtl_run(select_rtl *rtl, const select_generation *in, select_verdict
         top.start_i = cycle == 0;
         top.eval();
         if (cycle > 1 && !top.active_o) {
-            out->selected = top.selected_o;
+            out->any = top.any_o;
             return true;
         }
         if (top.selected_valid_o) {

@@ -31,7 +31,8 @@ typedef struct select_generation {
 } select_generation;
 
 typedef struct select_verdicts {
-    uint32_t faces, selected; /* verdicts that came, selected faces that were counted */
+    uint32_t faces; /* verdicts that came */
+    bool any;       /* there are selected faces, as the module says */
     bool verdict[SELECT_ITEMS];
     bool read[SELECT_VERTICES], chosen[SELECT_VERTICES]; /* marks that were read; what was set */
 } select_verdicts;

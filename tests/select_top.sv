@@ -17,7 +17,7 @@ module select_top #(
     input  logic [ 7:0] front_depth_i,
     input  logic [ 7:0] silhouette_depth_i,
     output logic        active_o,
-    output logic [QW:0] selected_o,
+    output logic any_o,
 
     output logic            record_rd_en_o,
     output logic [  QW-1:0] record_rd_item_o,
