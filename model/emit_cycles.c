@@ -144,7 +144,6 @@ static void hand_over(hs_model *m, uint32_t count, bool last) {
 static void make_records(hs_model *m, const hs_op *next, hs_time t) {
     hs_emit_cycles *e = &m->emit;
     if (!e->pending) return;
-    e->pending = false;
     const bool group = e->kind == HS_OP_GROUP;
     e->made = hs_later(e->moved + 1, e->handed);
     if (e->carried == ROW_RECORDS || (e->carried && !group)) {

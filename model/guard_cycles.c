@@ -4,8 +4,9 @@
  */
 #include "model_parts.h"
 
+/* What is beyond the memories is not written. */
 static void log_new(hs_model *m, hs_time t, const hs_state *s, uint32_t f) {
-    if (!m->log || s->number[f] >= HS_DEFAULT_LIMITS.vertices) return;
+    if (!m->log || s->number[f] >= m->config.capacity.vertices) return;
     uint32_t word[4];
     for (int k = 0; k < 4; k++)
         word[k] = (uint32_t)s->point[f][k];

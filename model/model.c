@@ -153,13 +153,16 @@ hs_model_config hs_model_config_decode(uint32_t architecture) {
                                     .latency = architecture >> 16 & 0xf,
                                     .ops = 1u << (architecture >> 20 & 0xf),
                                     .views = architecture >> 24 & 0xf,
-                                    .parity = architecture >> 28 & 1};
+                                    .parity = architecture >> 28 & 1,
+                                    .capacity = HS_DEFAULT_LIMITS};
     return config;
 }
 
 static bool power_of_two(uint32_t number, uint32_t least, uint32_t most) {
     return number >= least && number <= most && (number & (number - 1)) == 0;
 }
+
+enum { MOST_CAPACITY = 1 << 24 };
 
 bool hs_model_config_good(const hs_model_config *c, hs_error *err) {
     if (!power_of_two(c->port, 1, 4))
@@ -177,6 +180,12 @@ bool hs_model_config_good(const hs_model_config *c, hs_error *err) {
         return hs_fail(err, HS_EXIT_USAGE, "views is %u; it should be 1 to 8", c->views);
     if (c->parity > 1)
         return hs_fail(err, HS_EXIT_USAGE, "parity is %u; it should be 0 or 1", c->parity);
+    if (!power_of_two(c->capacity.vertices, 8, MOST_CAPACITY) ||
+        !power_of_two(c->capacity.quads, 8, MOST_CAPACITY))
+        return hs_fail(
+            err, HS_EXIT_USAGE,
+            "the capacity is %u vertices and %u quads; both should be powers of two from 8 to %u",
+            c->capacity.vertices, c->capacity.quads, (uint32_t)MOST_CAPACITY);
     if (!power_of_two(c->ops, 16, 256))
         return hs_fail(err, HS_EXIT_USAGE, "ops is %u; it should be 16, 32, 64, 128 or 256",
                        c->ops);
@@ -185,6 +194,10 @@ bool hs_model_config_good(const hs_model_config *c, hs_error *err) {
 
 hs_model *hs_model_new(hs_limits limits, hs_model_config config, hs_error *err) {
     if (!hs_model_config_good(&config, err)) return NULL;
+    while (config.capacity.vertices < limits.vertices && config.capacity.vertices < MOST_CAPACITY)
+        config.capacity.vertices *= 2;
+    while (config.capacity.quads < limits.quads && config.capacity.quads < MOST_CAPACITY)
+        config.capacity.quads *= 2;
     hs_model *m = calloc(1, sizeof *m);
     if (m) m->golden = hs_golden_new(limits);
     if (!m || !m->golden) {

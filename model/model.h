@@ -26,6 +26,9 @@ typedef struct hs_model_config {
     uint32_t ops;     /* that wait for emit: a power of two, 16 to 256 */
     uint32_t views;   /* in flight, each in a pipeline of its own: 1 to 8 (hs_flight) */
     uint32_t parity;  /* 1: memories and FIFOs have a bit more a word; costs no cycle */
+    /* Vertices and active quads that the memories hold: powers of two, 8 to 2^24. A view's
+     * limits above them enlarge them. */
+    hs_limits capacity;
 } hs_model_config;
 
 #define HS_DEFAULT_CONFIG                                                                          \
@@ -36,15 +39,18 @@ typedef struct hs_model_config {
                        .latency = 1,                                                               \
                        .ops = 16,                                                                  \
                        .views = 1,                                                                 \
-                       .parity = 1})
+                       .parity = 1,                                                                \
+                       .capacity = HS_DEFAULT_LIMITS})
 
-/* What the register ARCHITECTURE says. */
+/* What the register ARCHITECTURE says, with the default capacity: registers of their own tell
+ * another. */
 hs_model_config hs_model_config_decode(uint32_t architecture);
 
 /* HS_EXIT_USAGE, with the parameter, its value and what it may be, if one is out of range. */
 bool hs_model_config_good(const hs_model_config *config, hs_error *err);
 
-/* Bits of all memories, windows and FIFOs of all pipelines with the default capacities. */
+/* Bits of all memories, windows and FIFOs of all pipelines; numbers of vertices and quads are as
+ * wide as the default capacity needs them. */
 uint64_t hs_model_memory_bits(const hs_model_config *config);
 
 /* Bits that a view read from the memories and wrote to them. */

@@ -48,7 +48,7 @@ static uint64_t fifo_words(const hs_model_config *c) {
 }
 
 uint64_t hs_model_memory_bits(const hs_model_config *c) {
-    const hs_limits capacity = HS_DEFAULT_LIMITS;
+    const hs_limits capacity = c->capacity;
     const uint64_t vertex = HS_BIRTH_WORDS + HS_RING_WORD + 2;
     const uint64_t quad = 4 * HS_HALF_WORD + 2 * HS_EDGE_WORD + HS_POINT_WORD + 1 +
                           2 * HS_VERDICT_WORD + HS_NUMBER_WORD;

@@ -199,7 +199,7 @@ typedef struct hs_emit_cycles {
     /* The op that was taken last: its records are made as soon as it is known what follows. */
     uint32_t kind, generation, mask;
     hs_time moved;                      /* when it went to where records are made */
-    bool pending;                       /* they have not been made yet */
+    bool pending;                       /* there is one: not before the first */
     hs_time made, handed;               /* the latest op's records: made, and taken by pack */
     uint32_t grouped, carried, corners; /* vertices, records, corners that wait for more */
 

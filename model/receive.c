@@ -22,7 +22,7 @@ static bool finite_word(uint32_t word) {
 /* The record at word `at`, or NULL and TRUNCATED if the packet ends before it. */
 static const uint32_t *record_at(hs_state *s, const hs_packet *in, size_t at) {
     if (at + 4 <= in->words) return in->word + at;
-    refuse(s, HS_STATUS_TRUNCATED, in->words & ~(size_t)3);
+    refuse(s, HS_STATUS_TRUNCATED, in->words);
     return NULL;
 }
 

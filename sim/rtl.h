@@ -58,6 +58,9 @@ void hs_rtl_cycle_limit(hs_rtl *rtl, uint64_t cycles);
 /* The RTL's parameters, as its register ARCHITECTURE gives them. */
 uint32_t hs_rtl_architecture(const hs_rtl *rtl);
 
+/* What its memories hold, as its registers give it. */
+hs_limits hs_rtl_capacity(const hs_rtl *rtl);
+
 /* Cycles simulated since hs_rtl_new. */
 uint64_t hs_rtl_cycle(const hs_rtl *rtl);
 

@@ -326,6 +326,10 @@ uint32_t hs_rtl_architecture(const hs_rtl *rtl) {
     return rtl->architecture;
 }
 
+hs_limits hs_rtl_capacity(const hs_rtl *rtl) {
+    return rtl->capacity;
+}
+
 void hs_rtl_on_cycle(hs_rtl *rtl, hs_rtl_strike *strike, void *context) {
     rtl->strike = strike;
     rtl->strike_context = context;

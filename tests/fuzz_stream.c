@@ -37,8 +37,14 @@ static engines *new_engines(void) {
     hs_error err = {0};
     hs_mesh mesh;
     hs_golden_report report;
-    const hs_model_config smallest = {
-        .port = 1, .banks = 2, .window = 2, .lanes = 1, .latency = 1, .ops = 16, .views = 1};
+    const hs_model_config smallest = {.port = 1,
+                                      .banks = 2,
+                                      .window = 2,
+                                      .lanes = 1,
+                                      .latency = 1,
+                                      .ops = 16,
+                                      .views = 1,
+                                      .capacity = HS_DEFAULT_LIMITS};
     const hs_settings settings = {.front_depth = 1, .silhouette_depth = 2, .guard = true};
     static const float matrix[16] = {1, 0, 0.2f, 0, 0, 1, 0.1f, 0, 0, 0, -1, 2, 0, 0, -1, 4};
     e.golden = hs_golden_new(limits);

@@ -101,15 +101,13 @@ static bool by_golden(hs_error *err) {
 }
 
 static bool by_model(hs_error *err) {
-    const hs_model_config config = {
-        .port = 4, .banks = 8, .window = 8, .lanes = 8, .latency = 1, .ops = 16, .views = 1};
     hs_packet in = {0}, out = {0};
     hs_mesh mesh;
     hs_golden_report report;
     hs_cycle_report cycles;
     hs_log log = {0};
     if (!in_packet(&in, &mesh, err)) return false;
-    hs_model *model = hs_model_new(HS_DEFAULT_LIMITS, config, err);
+    hs_model *model = hs_model_new(HS_DEFAULT_LIMITS, HS_DEFAULT_CONFIG, err);
     bool good =
         model && hs_model_run(model, &in, (hs_stalls){0}, &out, &report, &cycles, &log, err);
     if (good) { /* a log that lacks entries is equal to none */

@@ -93,6 +93,7 @@ static void the_model_says_so_and_goes_on(void **state) {
     hs_error err = {0};
     bool failed = true;
     uint32_t n = 0;
+    const size_t before = allocations.held;
     hs_model *other = hs_model_new(HS_DEFAULT_LIMITS, HS_DEFAULT_CONFIG, &err);
     hs_packet out = {0};
     assert_true(hs_model_run(other, &all->in[1], no_stalls, &out, &report, &expected, NULL, &err));
@@ -119,6 +120,42 @@ static void the_model_says_so_and_goes_on(void **state) {
     }
     print_message("%u allocations\n", n - 1);
     assert_true(n > 30);
+    assert_int_equal(allocations.held, before);
+}
+
+static void views_in_flight_say_so_and_go_on(void **state) {
+    const samples_of_all *all = *state;
+    hs_model_config config = HS_DEFAULT_CONFIG;
+    hs_golden_report report[2];
+    hs_flight_view view[2];
+    hs_error err = {0};
+    uint64_t cycles;
+    bool failed = true;
+    uint32_t n = 0;
+    const size_t before = allocations.held;
+    config.views = 2;
+    for (; failed; n++) {
+        hs_packet out[2] = {{0}, {0}};
+        hs_flight *flight = hs_flight_new(HS_DEFAULT_LIMITS, config, &err);
+        assert_non_null(flight);
+        err.code = HS_EXIT_OK;
+        start_failing(n + 1, false);
+        const bool good = hs_flight_run(flight, &all->in[1], 2, no_stalls, out, report, view,
+                                        &cycles, NULL, &err);
+        failed = stop_failing();
+        assert_int_equal(good, !failed);
+        if (failed) assert_int_equal(err.code, HS_EXIT_INTERNAL);
+        assert_true(hs_flight_run(flight, &all->in[1], 2, no_stalls, out, report, view, &cycles,
+                                  NULL, &err));
+        for (uint32_t v = 0; v < 2; v++) {
+            assert_int_equal(hs_compare_words(&all->out[1 + v], &out[v]).different, 0);
+            hs_packet_free(&out[v]);
+        }
+        hs_flight_free(flight);
+    }
+    print_message("%u allocations\n", n - 1);
+    assert_true(n > 30);
+    assert_int_equal(allocations.held, before);
 }
 
 static void packets_say_so(void **state) {
@@ -129,6 +166,7 @@ static void packets_say_so(void **state) {
     uint32_t n = 0;
     for (; failed; n++) {
         hs_packet packet = {0};
+        err.code = HS_EXIT_OK;
         start_failing(n + 1, false);
         const bool good = hs_packet_encode(&packet, 1, &all->mesh, identity, &settings, &err);
         failed = stop_failing();
@@ -140,6 +178,7 @@ static void packets_say_so(void **state) {
     failed = true;
     for (n = 0; failed; n++) {
         hs_output output;
+        err.code = HS_EXIT_OK;
         start_failing(n + 1, false);
         const bool good = hs_output_decode(&output, &all->out[0], &err);
         failed = stop_failing();
@@ -175,6 +214,7 @@ int main(void) {
         cmocka_unit_test(golden_knows_what_it_holds),
         cmocka_unit_test(golden_says_so_and_goes_on),
         cmocka_unit_test(the_model_says_so_and_goes_on),
+        cmocka_unit_test(views_in_flight_say_so_and_go_on),
         cmocka_unit_test(packets_say_so),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);

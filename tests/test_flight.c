@@ -88,7 +88,8 @@ static void one_in_flight_is_one_behind_the_other(void **state) {
     hs_cycle_report cycles;
     hs_model *model = hs_model_new(HS_DEFAULT_LIMITS, HS_DEFAULT_CONFIG, &err);
     assert_non_null(model);
-    fly(1, none);
+    const uint64_t all = fly(1, none);
+    assert_int_equal(all, at[ROW - 1].end - at[0].start + 1);
     for (uint32_t v = 0; v < ROW; v++) {
         assert_true(hs_model_run(model, &in[v], none, &alone, &ignored, &cycles, NULL, &err));
         /* The first is alone; the others are offered while the one before is at work. */

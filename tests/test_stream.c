@@ -354,9 +354,27 @@ static void the_trailer_of_a_memory_fault_is_checked(void **state) {
             if (wrong[i - 1].word < 11) fix_crc(&packet);
         }
         assert_int_equal(hs_output_decode(&out, &packet, &err), i == 0);
+        if (i > 0) {
+            char place[20];
+            snprintf(place, sizeof place, ": word %zu (", wrong[i - 1].word);
+            assert_non_null(strstr(err.text, place));
+        }
         hs_output_free(&out);
         hs_packet_free(&packet);
     }
+}
+
+static void records_are_found(void **state) {
+    (void)state;
+    hs_packet packet = {.view = 7};
+    put(&packet, hs_tag(HS_RECORD_HEADER, HS_STREAM_VERSION), 7, 1, 0);
+    put(&packet, hs_tag(HS_RECORD_TRAILER, HS_STATUS_OK), HS_NO_POSITION, 0, 0);
+    put_end(&packet, 0, 0);
+    assert_int_equal(hs_packet_find(&packet, HS_RECORD_HEADER), 0);
+    assert_int_equal(hs_packet_find(&packet, HS_RECORD_TRAILER), 4);
+    assert_int_equal(hs_packet_find(&packet, HS_RECORD_END), 8);
+    assert_int_equal(hs_packet_find(&packet, HS_RECORD_FACE), SIZE_MAX);
+    hs_packet_free(&packet);
 }
 
 static void groups_that_are_not_filled_up_are_refused(void **state) {
@@ -610,6 +628,7 @@ int main(void) {
         cmocka_unit_test(a_wrong_packet_with_a_right_crc_is_refused_with_its_cause),
         cmocka_unit_test(the_trailer_of_a_memory_fault_is_checked),
         cmocka_unit_test(groups_that_are_not_filled_up_are_refused),
+        cmocka_unit_test(records_are_found),
         cmocka_unit_test(generations_go_back_in_the_last_step_alone),
         cmocka_unit_test(a_view_without_faces_is_a_refused_one),
         cmocka_unit_test(hostile_words_are_only_ever_refused_or_decoded),

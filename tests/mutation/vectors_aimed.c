@@ -33,6 +33,45 @@ static void add_counts(vectors *all, hs_limits limits) {
     hs_mesh_free(&mesh);
 }
 
+/* Every other bit of the header and of two corners turned over: refused, or another view. */
+static void add_bits(vectors *all, hs_limits limits) {
+    hs_mesh mesh;
+    const hs_settings s = adaptive(1, 2, true);
+    make_shape(&mesh, "tetrahedron", 0, 0);
+    const uint32_t from[] = {0, corner_at(mesh.vertices, 3), corner_at(mesh.vertices, 7)};
+    const uint32_t words[] = {12, 4, 4};
+    for (uint32_t k = 0; k < 3; k++)
+        for (uint32_t bit = k % 2; bit < 32 * words[k]; bit += 2) {
+            char text[80];
+            const uint32_t word = from[k] + bit / 32;
+            snprintf(text, sizeof text, "bit %u of word %u turned over", bit % 32, word);
+            hs_packet *packet = &add_view(all, text, limits, &mesh, identity, &s, no_stalls)->in;
+            packet->word[word] ^= 1u << bit % 32;
+            mend_crc(packet);
+        }
+    hs_mesh_free(&mesh);
+}
+
+/* A vertex whose product with the matrix is no number of binary32, and behind it, in turn, one that
+ * is infinite by itself, or another such. */
+static void add_overflows(vectors *all, hs_limits limits) {
+    for (uint32_t i = 0; i < 12; i++) {
+        hs_mesh mesh;
+        float matrix[16];
+        const hs_settings s = uniform(1);
+        make_shape(&mesh, "icosahedron", 0, 0);
+        memcpy(matrix, identity, sizeof matrix);
+        matrix[i % 4 * 5] = 0x1p100f;
+        const uint32_t v = i, w = i % 3 ? v + i % 3 : 0;
+        mesh.position[4 * v + i % 4] = 0x1p100f;
+        const uint32_t vertices = mesh.vertices;
+        hs_packet *packet = &add_view(all, "overflow", limits, &mesh, matrix, &s, no_stalls)->in;
+        if (w && w < vertices) packet->word[VERTICES_AT + 4 * w] = i % 2 ? 0x7f800000 : 0x7f7fffff;
+        mend_crc(packet);
+        hs_mesh_free(&mesh);
+    }
+}
+
 /* One corner too many at a vertex, and a wrong twin a power of two of corners before it, or behind.
  */
 static void add_errors(vectors *all, hs_limits limits) {
@@ -288,6 +327,8 @@ static void add_mixed(vectors *all, hs_limits limits) {
 
 void add_aimed(vectors *all, hs_limits limits) {
     add_counts(all, limits);
+    add_bits(all, limits);
+    add_overflows(all, limits);
     add_errors(all, limits);
     add_crossed(all, limits);
     add_zeros(all, limits);

@@ -249,6 +249,7 @@ static void add_large(vectors *all, hs_limits limits) {
          {.uniform = true, .uniform_depth = 1, .boundary = HS_BOUNDARY_SMOOTH},
          {9, 0, 30}},
         {"cube", 0, {.uniform = true, .uniform_depth = 6, .limit = true}, {0}},
+        {"grid", 15, {.uniform = true, .uniform_depth = 1}, {12, 0, 95}}, /* split's fold fills */
         {"grid",
          4,
          {.front_depth = 4,
@@ -267,7 +268,7 @@ static void add_large(vectors *all, hs_limits limits) {
         char text[80];
         uint32_t tags = 99 + i;
         make_shape(&mesh, large[i].shape, large[i].size, 5);
-        if (i != 1 && i < 5) tag_at_random(&mesh, &tags, 4, 9);
+        if (i != 1 && i < 6) tag_at_random(&mesh, &tags, 4, 9);
         make_views(&mesh, view);
         snprintf(text, sizeof text, "large %u, %s", i, large[i].shape);
         add_view(all, text, limits, &mesh, view[i].matrix, &large[i].settings, large[i].stalls);

@@ -1,0 +1,105 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * Logs of transactions without an RTL: what their comparison counts and says, and that the model
+ * writes none of what is beyond its memories.
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include <string.h>
+
+#include "model.h"
+#include "shape.h"
+#include "view.h"
+
+static void fill(hs_log *log, uint32_t count) {
+    for (uint32_t p = 0; p < HS_PROBES; p++)
+        for (uint32_t i = 0; i < count; i++)
+            hs_log_add(log, p, 100 * i + p, i, (const uint32_t[4]){i, 2 * i, 3 * i, p});
+}
+
+static void all_transactions_are_compared(void **state) {
+    (void)state;
+    hs_log a = {0}, b = {0};
+    fill(&a, 5000); /* more than a log has room for at first */
+    fill(&b, 5000);
+    hs_log_comparison c = hs_log_compare(&a, "a", &b, "b", 0);
+    assert_int_equal(c.compared, 5000 * HS_PROBES);
+    assert_int_equal(c.different, 0);
+    hs_log_add(&b, 3, 1, 2, (const uint32_t[4]){0});
+    c = hs_log_compare(&a, "a", &b, "b", 0);
+    assert_int_equal(c.compared, 5000 * HS_PROBES + 1);
+    assert_int_equal(c.different, 1);
+    c = hs_log_compare(&a, "a", &b, "b", UINT64_C(1) << 3);
+    assert_int_equal(c.compared, 5000 * (HS_PROBES - 1));
+    assert_int_equal(c.different, 0);
+    hs_log_free(&a);
+    hs_log_free(&b);
+}
+
+static void the_earliest_difference_is_told(void **state) {
+    (void)state;
+    hs_log a = {0}, b = {0};
+    char expected[400];
+    fill(&a, 20);
+    fill(&b, 20);
+    b.probe[2].transaction[9].word[3] = 0xabcdef01;
+    b.probe[5].transaction[8].cycle--;
+    b.probe[7].transaction[17].item = 99;
+    const hs_log_comparison c = hs_log_compare(&a, "one", &b, "other", 0);
+    assert_int_equal(c.different, 3);
+    assert_int_equal(c.probe, 5);
+    assert_int_equal(c.cycle, 804);
+    snprintf(expected, sizeof expected,
+             "stage %s, %s, transaction 8; one: cycle 805, item 8, 00000008 00000010 00000018 "
+             "00000005; other: cycle 804, item 8, 00000008 00000010 00000018 00000005",
+             hs_stage_name(hs_probe_stage(5)), hs_probe_name(5));
+    assert_string_equal(c.text, expected);
+    hs_log_free(&a);
+    hs_log_free(&b);
+}
+
+/* A cube of 26 vertices whose 48 quads would each get one more: the view stops, and of the new
+ * vertices only those that the memories hold are written. */
+static void what_is_beyond_the_memories_is_not_written(void **state) {
+    (void)state;
+    hs_mesh mesh;
+    hs_views views;
+    hs_error err;
+    hs_packet in = {0}, out = {0};
+    hs_golden_report report;
+    hs_cycle_report cycles;
+    hs_log log = {0};
+    hs_model_config config = HS_DEFAULT_CONFIG;
+    const hs_settings s = {.front_depth = 4, .silhouette_depth = 4, .guard = true};
+    config.capacity = (hs_limits){32, 256};
+    assert_true(hs_shape_make(&mesh, "cube", 2, 0, &err));
+    assert_true(hs_views_orbit(&views, 1, &mesh, 1, &err));
+    assert_true(hs_packet_encode(&in, 0, &mesh, views.view[0].matrix, &s, &err));
+    hs_model *model = hs_model_new(config.capacity, config, &err);
+    assert_non_null(model);
+    assert_true(hs_model_run(model, &in, (hs_stalls){0}, &out, &report, &cycles, &log, &err));
+    const size_t written = log.probe[HS_PROBE_guard_new].count;
+    assert_int_equal(written, config.capacity.vertices - mesh.vertices);
+    for (size_t i = 0; i < written; i++)
+        assert_int_equal(log.probe[HS_PROBE_guard_new].transaction[i].item, mesh.vertices + i);
+    hs_model_free(model);
+    hs_log_free(&log);
+    hs_packet_free(&in);
+    hs_packet_free(&out);
+    hs_views_free(&views);
+    hs_mesh_free(&mesh);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(all_transactions_are_compared),
+        cmocka_unit_test(the_earliest_difference_is_told),
+        cmocka_unit_test(what_is_beyond_the_memories_is_not_written),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
