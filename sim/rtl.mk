@@ -8,9 +8,11 @@ VERILATOR_INCLUDE := $(shell verilator --getenv VERILATOR_ROOT 2>/dev/null)/incl
 # the speed: they are armed in the tests of single modules (HS_ASSERT_DATA).
 VERILATE := verilator --cc -O3 -Wall --assert --x-initial unique --threads 1 --compiler clang
 RTL_OPT := -O2
+# Of what runs once.
+RTL_OPT_SLOW := -O1
 # $(call COMPILE,CLASS,FLAGS): its C++ in $(@D), in CLASS__ALL.a, with the jobs of this make (+). By clang, for the
 # processor at hand: sooner done than by gcc, and faster.
-COMPILE = $(MAKE) -s -C $(@D) -f $(1).mk CXX=clang++ OPT_FAST="$(RTL_OPT) -march=native $(2)" OPT_SLOW=-O1 OPT_GLOBAL=-O2 \
+COMPILE = $(MAKE) -s -C $(@D) -f $(1).mk CXX=clang++ OPT_FAST="$(RTL_OPT) -march=native $(2)" OPT_SLOW=$(RTL_OPT_SLOW) OPT_GLOBAL=-O2 \
           $(1)__ALL.a >/dev/null
 # $(call VERILATED,CLASS,ARGUMENTS): both steps, as the recipe of $(@D)/log.
 define VERILATED
