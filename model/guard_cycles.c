@@ -4,7 +4,7 @@
  */
 #include "model_parts.h"
 
-/* What is beyond the memories is not written. */
+/* What is beyond the memories is not written; its number has no more bits than theirs. */
 static void log_new(hs_model *m, hs_time t, const hs_state *s, uint32_t f) {
     if (!m->log || s->number[f] >= m->config.capacity.vertices) return;
     uint32_t word[4];
@@ -34,7 +34,8 @@ hs_time hs_cycles_guard(hs_model *m, const hs_state *s, hs_time kick) {
             hs_queue_out(fold, out);
             hs_scatter(write, out, hs_item_origins(s, first + i),
                        refined ? 0 : hs_item_lanes(s, first + i));
-            hs_log_words(m, HS_PROBE_guard_out, out, first + i, refined, selected, number, 0);
+            hs_log_words(m, HS_PROBE_guard_out, out, first + i, refined, selected,
+                         number & (m->config.capacity.vertices - 1), 0);
         }
         number += refined;
     }

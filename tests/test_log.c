@@ -87,6 +87,10 @@ static void what_is_beyond_the_memories_is_not_written(void **state) {
     assert_int_equal(written, config.capacity.vertices - mesh.vertices);
     for (size_t i = 0; i < written; i++)
         assert_int_equal(log.probe[HS_PROBE_guard_new].transaction[i].item, mesh.vertices + i);
+    for (size_t i = 0; i < log.probe[HS_PROBE_guard_out].count; i++)
+        assert_true(log.probe[HS_PROBE_guard_out].transaction[i].word[2] <
+                    config.capacity.vertices);
+    assert_true(log.probe[HS_PROBE_guard_out].count > config.capacity.vertices);
     hs_model_free(model);
     hs_log_free(&log);
     hs_packet_free(&in);
