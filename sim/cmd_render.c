@@ -183,19 +183,13 @@ static enum hs_parsed parse(request *r, int argc, char **argv, hs_error *err) {
 /* The matrix of view N of --views, or of --orbit around the mesh; without a mesh, of --views. */
 static bool choose_view(float matrix[16], const request *r, uint32_t number, const hs_mesh *mesh,
                         hs_error *err) {
-    hs_views views;
-    const double aspect = (double)r->width / r->height;
+    hs_view view;
     if (!r->views && !mesh)
         return hs_fail(err, HS_EXIT_USAGE, "%.300s: no mesh to go around; give --views", r->source);
-    if (!hs_views_open(&views, r->views, r->orbit, mesh, aspect, err)) return false;
-    const bool there = number < views.count;
-    if (there)
-        memcpy(matrix, views.view[number].matrix, sizeof views.view[number].matrix);
-    else
-        hs_fail(err, HS_EXIT_USAGE, "there is no view %u; views are 0 to %u", number,
-                views.count - 1);
-    hs_views_free(&views);
-    return there;
+    if (!hs_view_choose(&view, number, r->views, r->orbit, mesh, (double)r->width / r->height, err))
+        return false;
+    memcpy(matrix, view.matrix, sizeof view.matrix);
+    return true;
 }
 
 static bool open_mesh(scene *s, const request *r, hs_error *err) {

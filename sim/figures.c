@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "refine.h"
 #include "run_pictures.h"
 
 static const struct {
@@ -39,27 +40,12 @@ bool hs_figure_exists(const char *name) {
 
 /* --- Refinement ------------------------------------------------------------------------------- */
 
-/* Runs golden on one view of a mesh (the source's, but for forced depths). An output that stopped
- * early is an output. */
+/* What golden makes of a mesh (the source's, but for forced depths) under the source's view. */
 static bool refine(hs_output *output, const hs_mesh *mesh, const hs_settings *settings,
                    const hs_figure_source *source, hs_error *err) {
-    *output = (hs_output){0};
-    hs_packet in = {0}, out = {0};
-    hs_golden_report report;
-    hs_golden *golden = hs_golden_new(source->limits);
-    bool done = golden ? hs_packet_encode(&in, 0, mesh, source->matrix, settings, err) &&
-                             hs_golden_run(golden, &in, &out, &report, err) &&
-                             hs_output_decode(output, &out, err)
-                       : hs_fail(err, HS_EXIT_INTERNAL, "no memory for golden");
-    hs_golden_free(golden);
-    hs_packet_free(&in);
-    hs_packet_free(&out);
-    if (done && output->status == HS_STATUS_STOPPED && source->stopped) *source->stopped = true;
-    if (!done || output->status == HS_STATUS_OK || output->status == HS_STATUS_STOPPED) return done;
-    const uint32_t status = output->status;
-    hs_output_free(output);
-    return hs_fail(err, HS_EXIT_REFUSED, "the view is refused, %s: %s; %s", hs_status_name(status),
-                   hs_status_what(status), hs_status_remedy(status));
+    if (!hs_refine(output, mesh, source->matrix, settings, source->limits, err)) return false;
+    if (output->status == HS_STATUS_STOPPED && source->stopped) *source->stopped = true;
+    return true;
 }
 
 /* --- Single pictures of a view ---------------------------------------------------------------- */

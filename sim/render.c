@@ -216,33 +216,14 @@ static void set_vector(hs_renderer *r, const char *name, const double v[3]) {
                 (GLfloat)v[2]);
 }
 
-/* Makes a unit vector of row i of the matrix, as far as it is at right angles to ahead. */
-static void screen_direction(double result[3], const double m[16], int i, const double ahead[3]) {
-    double along = hs_dot(&m[4 * i], ahead);
-    for (int k = 0; k < 3; k++)
-        result[k] = m[4 * i + k] - along * ahead[k];
-    hs_normalize(result);
-}
-
 static void set_light(hs_renderer *r, const hs_surface *surface, const hs_style *style) {
-    /* w grows away from the eye, unless the view is parallel. */
-    double ahead[3], right[3], up[3], key[3], sign = surface->eye[3] < 0 ? 1 : -1;
-    for (int i = 0; i < 3; i++)
-        ahead[i] = sign * surface->matrix[12 + i];
-    if (!hs_normalize(ahead)) {
-        memcpy(ahead, surface->eye, sizeof ahead);
-        hs_normalize(ahead);
-    }
-    screen_direction(right, surface->matrix, 0, ahead);
-    screen_direction(up, surface->matrix, 1, ahead);
-    for (int i = 0; i < 3; i++)
-        key[i] = ahead[i] - 0.55 * right[i] + 0.65 * up[i];
-    hs_normalize(key);
-    set_vector(r, "key", key);
-    set_vector(r, "up", up);
+    hs_light light;
+    hs_light_of_view(&light, surface->matrix, surface->eye);
+    set_vector(r, "key", light.key);
+    set_vector(r, "up", light.up);
 
-    static const double terracotta[3] = {0.80, 0.52, 0.42};
-    set_vector(r, "inside", terracotta);
+    static const double inside[3] = HS_INSIDE_COLOR;
+    set_vector(r, "inside", inside);
     bool clay = style->paint == HS_PAINT_CLAY;
     glUniform1i(glGetUniformLocation(r->program, "lit"), surface->object != NULL);
     glUniform1i(glGetUniformLocation(r->program, "two_sided"), style->paint != HS_PAINT_FACING);
@@ -258,7 +239,7 @@ static uint32_t face_color(const hs_surface *surface, const hs_style *style, uin
                            uint32_t deepest) {
     if (style->paint == HS_PAINT_DEPTH) return hs_depth_color(surface->generation[face], deepest);
     if (style->paint == HS_PAINT_FACING) return hs_facing_color(surface->facing[face]);
-    return 0xdcd6cc;
+    return HS_CLAY_COLOR;
 }
 
 /* The clip position of a point, seen through the window. */

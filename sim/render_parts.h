@@ -47,7 +47,19 @@ typedef struct hs_edge {
 /* All edges, from malloc; *count of them. NULL: no memory. */
 hs_edge *hs_surface_edges(const hs_surface *surface, uint32_t *count);
 
+/* Where the light of a view comes from: unit vectors in object space. */
+typedef struct hs_light {
+    double ahead[3]; /* where front faces look to: towards the eye, unless the view is mirrored */
+    double up[3];    /* up on the screen */
+    double key[3];   /* towards the second light, above the camera's left shoulder */
+} hs_light;
+void hs_light_of_view(hs_light *light, const double matrix[16], const double eye[4]);
+void hs_light_from(hs_light *light, const double matrix[16], const double ahead[3]);
+
 /* sRGB colours, 0xrrggbb. */
+#define HS_CLAY_COLOR 0xdcd6cc
+#define HS_INSIDE_COLOR                                                                            \
+    { 0.80, 0.52, 0.42 } /* terracotta */
 uint32_t hs_depth_color(uint32_t generation, uint32_t deepest);
 uint32_t hs_facing_color(uint32_t facing);
 

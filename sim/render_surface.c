@@ -35,14 +35,20 @@ void hs_eye_of_matrix(double eye[4], const double m[16]) {
 }
 
 bool hs_matrix_invert(double inverse[16], const double m[16]) {
-    /* Rows are scaled to length 1 first, so that "singular" does not depend on units. */
-    double row[4][4], length[4];
+    /* Columns and then rows are scaled to length 1 first, so that "singular" does not depend on
+     * units: neither those of object space nor those of x, y, z, w. */
+    double row[4][4], height[4], length[4];
+    for (int j = 0; j < 4; j++) {
+        height[j] = hypot(hypot(m[j], m[4 + j]), hypot(m[8 + j], m[12 + j]));
+        if (!(height[j] > 0) || isinf(height[j])) return false;
+    }
     for (int i = 0; i < 4; i++) {
-        length[i] = sqrt(m[4 * i] * m[4 * i] + m[4 * i + 1] * m[4 * i + 1] +
-                         m[4 * i + 2] * m[4 * i + 2] + m[4 * i + 3] * m[4 * i + 3]);
-        if (!(length[i] > 0) || isinf(length[i])) return false;
         for (int j = 0; j < 4; j++)
-            row[i][j] = m[4 * i + j] / length[i];
+            row[i][j] = m[4 * i + j] / height[j];
+        length[i] = hypot(hypot(row[i][0], row[i][1]), hypot(row[i][2], row[i][3]));
+        if (!(length[i] > 0)) return false;
+        for (int j = 0; j < 4; j++)
+            row[i][j] /= length[i];
     }
     double cofactor[4][4];
     for (int i = 0; i < 4; i++) {
@@ -57,7 +63,7 @@ bool hs_matrix_invert(double inverse[16], const double m[16]) {
     if (!(fabs(determinant) > 1e-14)) return false;
     for (int i = 0; i < 4; i++)
         for (int j = 0; j < 4; j++)
-            inverse[4 * j + i] = cofactor[i][j] / determinant / length[i];
+            inverse[4 * j + i] = cofactor[i][j] / determinant / length[i] / height[j];
     return true;
 }
 

@@ -44,6 +44,10 @@ enum { HS_VIEWS_MOST = 65536 }; /* as many as a stream numbers */
 bool hs_views_open(hs_views *views, const char *path, uint32_t orbit, const hs_mesh *mesh,
                    double aspect, hs_error *err);
 
+/* One of them. Fails (HS_EXIT_USAGE) if there is none of that number, which counts from 0. */
+bool hs_view_choose(hs_view *view, uint32_t number, const char *path, uint32_t orbit,
+                    const hs_mesh *mesh, double aspect, hs_error *err);
+
 /* A perspective view, as gluLookAt and gluPerspective define it, computed in double and rounded
  * once. fov is vertical, in degrees, in (0, 180). False (HS_EXIT_VIEWS) where no view exists:
  * eye = at, up along the line of sight, near >= far, near <= 0. */
