@@ -14,5 +14,6 @@ int hs_command_mesh(int argc, char **argv, hs_error *err);
 int hs_command_trace(int argc, char **argv, hs_error *err);
 int hs_command_explore(int argc, char **argv, hs_error *err);
 int hs_command_render(int argc, char **argv, hs_error *err);
+int hs_command_convert(int argc, char **argv, hs_error *err);
 
 #endif

@@ -21,6 +21,7 @@ static const struct command {
     {"mesh", hs_command_mesh, "look at meshes, make built-in ones, write OBJ"},
     {"trace", hs_command_trace, "packets in files: make, check, show as text, build from text"},
     {"render", hs_command_render, "figures of meshes and streams, as PNG"},
+    {"convert", hs_command_convert, "refined meshes for other programs: PLY, glTF, POV-Ray, OBJ"},
 };
 enum { COMMAND_COUNT = sizeof COMMANDS / sizeof *COMMANDS };
 

@@ -23,3 +23,25 @@ pictures: $(BUILD)/halfstep ## docs/pictures/*.png, the pictures of README.md an
 	$(PICTURE) shape:die:3 --views docs/pictures/die.txt --size 300x300 -o docs/pictures/die-2.png
 	$(PICTURE) shape:die:11 --views docs/pictures/die.txt --size 300x300 \
 	    -o docs/pictures/die-for-ever.png
+
+# The paper's figure 12: the same surfaces by a ray tracer, with shadows.
+POV := hand monster die
+POV_SIZE := 640
+POV_hand    := shape:hand
+POV_monster := shape:monster
+POV_die     := shape:die:1 --views docs/pictures/die.txt
+
+.PHONY: pov
+pov: $(POV:%=out/pov/%.png) ## out/pov: hand, monster head and die by POV-Ray (the paper's figure 12)
+
+.PRECIOUS: out/pov/%.pov
+$(POV:%=out/pov/%.pov): out/pov/%.pov: $(BUILD)/halfstep
+	@mkdir -p $(@D)
+	@$< convert $(POV_$*) --size $(POV_SIZE)x$(POV_SIZE) -o $@
+
+out/pov/%.png: out/pov/%.pov
+	@$(call INSTALL,povray)
+	@povray +W$(POV_SIZE) +H$(POV_SIZE) +A0.1 -D +I$< +O$(@D)/part-$*.png >$(@D)/$*.log 2>&1 || \
+	    { tail -5 $(@D)/$*.log; exit 1; }
+	@mv $(@D)/part-$*.png $@
+	@echo "$@: $(POV_SIZE)x$(POV_SIZE) pixels"

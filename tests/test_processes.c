@@ -32,6 +32,7 @@ static const struct writer {
     {"render", "exec ~/build/halfstep render shape:cube --size 64x64 --quiet -o @/o/cube.png"},
     {"trace", "cp ~/traces/cube-4-8/trace.txt @/o && exec ~/build/halfstep trace make @/o"},
     {"mesh", "exec ~/build/halfstep mesh make random --size 2000 -o @/o/random.obj"},
+    {"convert", "exec ~/build/halfstep convert shape:torus --quiet -o @/o/torus.gltf"},
 };
 enum { WRITERS = sizeof writers / sizeof *writers };
 
@@ -221,11 +222,14 @@ static void a_refused_allocation_is_said(void **state) {
         "exec ~/build/halfstep mesh info @/m.obj",
         "exec ~/build/halfstep explore @/m.obj --front 1 --silhouette 1 --jobs 1 --quiet --out @/e",
         "exec ~/build/halfstep trace show @/i.hss",
+        "~/build/halfstep convert @/m.obj -f 1 -s 2 --quiet -o @/g.glb && unset LD_PRELOAD && "
+        "cmp @/g.glb @/w.glb",
     };
     expect_line(0,
                 "build/halfstep mesh make mixed -o @/m.obj && build/halfstep run @/m.obj "
                 "--engine golden --quiet --size 16x16 --levels 0 --out @/o && "
-                "cp @/o/views.txt @/v.txt && cp @/o/view-000/input.hss @/i.hss",
+                "cp @/o/views.txt @/v.txt && cp @/o/view-000/input.hss @/i.hss && "
+                "build/halfstep convert @/m.obj -f 1 -s 2 --quiet -o @/w.glb",
                 "");
     for (size_t i = 0; i < sizeof line / sizeof *line; i++) {
         char text[1000], what[100];
