@@ -73,7 +73,7 @@ $(BUILD)/tests/osd.o: tests/osd.cpp
 $(OSD_USERS): $(BUILD)/tests/osd.o
 $(OSD_USERS): LIBS += -losdCPU
 
-include sim/rtl.mk sim/pictures.mk $(wildcard tests/*.mk)
+include sim/rtl.mk sim/pictures.mk sim/report.mk $(wildcard tests/*.mk)
 
 # --- What there is to do --------------------------------------------------------------------------
 .PHONY: run test lint format clean help
@@ -132,6 +132,6 @@ clean: ## removes build/ and out/
 	rm -rf $(BUILD) out
 
 help: ## this list
-	@grep -hE '^[a-z]+:.*##' $(MAKEFILE_LIST) | sort -u | sed -E 's/^([a-z]+):.*## (.*)/  make \1\t\2/' | expand -t 18
+	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sort -u | sed -E 's/^([a-z-]+):.*## (.*)/  make \1\t\2/' | expand -t 18
 
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

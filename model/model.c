@@ -83,6 +83,8 @@ static void decided(void *context, const hs_state *s) {
     hs_model *m = context;
     const bool first = s->generation == 0, uniform = s->settings.uniform;
     m->ends = s->generation >= s->depth;
+    m->generation_cycle[s->generation] = m->report->begin + m->now - m->report->start;
+    m->generations = s->generation + 1;
     if (!keep_sent(m, s)) {
         m->exhausted = true;
         return;
@@ -252,6 +254,7 @@ bool hs_model_view(hs_model *m, const hs_packet *in, hs_packet *out, hs_golden_r
     m->in = in;
     m->report = cycles;
     m->entered = m->exhausted = false;
+    m->generations = 0;
     m->smooth_logged = m->log ? m->log->probe[HS_PROBE_smooth_out].count : 0;
     m->traffic = (hs_model_traffic){0};
     hs_golden_mark_always(m->golden, m->log != NULL);
@@ -290,4 +293,8 @@ hs_model_traffic hs_model_traffic_of(const hs_model *m) {
 uint64_t hs_model_word_cycle(const hs_model *m, size_t word) {
     const size_t beat = word / (4 * (size_t)m->config.port);
     return beat < m->emit.beats ? m->emit.beat_cycle[beat] : HS_NO_CYCLE;
+}
+
+uint64_t hs_model_generation_cycle(const hs_model *m, uint32_t generation) {
+    return generation < m->generations ? m->generation_cycle[generation] : HS_NO_CYCLE;
 }

@@ -76,6 +76,10 @@ hs_model_traffic hs_model_traffic_of(const hs_model *model);
 /* As hs_rtl_word_cycle: when a word of the last run's output was taken. */
 uint64_t hs_model_word_cycle(const hs_model *model, size_t word);
 
+/* Cycles from the first beat in until the sequencer turned to a generation of the last run, 0 to
+ * the last one reached; HS_NO_CYCLE: it did not reach that one. */
+uint64_t hs_model_generation_cycle(const hs_model *model, uint32_t generation);
+
 /* --- Views in flight ----------------------------------------------------------------------------
  *
  * config.views pipelines behind one input and before one output, as rtl/halfstep.sv has them.

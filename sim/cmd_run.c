@@ -159,8 +159,9 @@ static enum hs_parsed parse(hs_run_request *r, int argc, char **argv, hs_error *
         {"engine", 'e', HS_OPTION_TEXT, "LIST", &t.engines, 0, 0, NULL,
          "reference, golden, model, rtl (golden,model,rtl)"},
         {"out", 'o', HS_OPTION_TEXT, "DIR", &r->out, 0, 0, NULL,
-         "folder for views, meshes and pictures"},
-        {"json", 'j', HS_OPTION_TEXT, "FILE", &r->json, 0, 0, NULL, "report with all figures"},
+         "folder for views, meshes, pictures and run.json"},
+        {"json", 'j', HS_OPTION_TEXT, "FILE", &r->json, 0, 0, NULL,
+         "report with all figures (DIR/run.json)"},
         {"size", 0, HS_OPTION_TEXT, "WxH", &t.size, 0, 0, NULL,
          "pixels of a picture, and the views' aspect (768x768)"},
         {"levels", 0, HS_OPTION_NUMBER, "N", &r->reference_levels, 0, 8, NULL,
@@ -183,6 +184,10 @@ static enum hs_parsed parse(hs_run_request *r, int argc, char **argv, hs_error *
     const enum hs_parsed parsed = hs_options_parse(&COMMAND, option, argc, argv, &operand, err);
     if (parsed != HS_PARSED) return parsed;
     r->mesh = argv[operand];
+    if (r->out && !r->json) {
+        snprintf(r->own_json, sizeof r->own_json, "%s/run.json", r->out);
+        r->json = r->own_json;
+    }
     return complete(r, &t, err) ? HS_PARSED : HS_PARSED_WRONG;
 }
 

@@ -15,5 +15,6 @@ int hs_command_trace(int argc, char **argv, hs_error *err);
 int hs_command_explore(int argc, char **argv, hs_error *err);
 int hs_command_render(int argc, char **argv, hs_error *err);
 int hs_command_convert(int argc, char **argv, hs_error *err);
+int hs_command_report(int argc, char **argv, hs_error *err);
 
 #endif

@@ -6,9 +6,11 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "build_info.h"
 #include "commands.h"
 #include "definitions.h"
 #include "file.h"
+#include "machine.h"
 #include "options.h"
 
 static const struct command {
@@ -22,6 +24,7 @@ static const struct command {
     {"trace", hs_command_trace, "packets in files: make, check, show as text, build from text"},
     {"render", hs_command_render, "figures of meshes and streams, as PNG"},
     {"convert", hs_command_convert, "refined meshes for other programs: PLY, glTF, POV-Ray, OBJ"},
+    {"report", hs_command_report, "a run as one HTML file: tables, plots, meshes to turn"},
 };
 enum { COMMAND_COUNT = sizeof COMMANDS / sizeof *COMMANDS };
 
@@ -105,6 +108,8 @@ static void watch_signals(void) {
 int main(int argc, char **argv) {
     hs_error err = {0};
     watch_signals();
+    hs_program.commit = HS_BUILD_COMMIT;
+    hs_program.simulator = HS_BUILD_SIMULATOR;
     int code = run(argc, argv, &err);
     if (err.text[0]) fprintf(stderr, "halfstep: %s\n", err.text);
     /* A table that nobody could read is not done. */

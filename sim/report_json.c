@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "json_file.h"
+#include "machine.h"
 #include "options.h"
 #include "surface_options.h"
 
@@ -71,6 +72,30 @@ static json_t *mesh_of(report *r, const hs_run *run) {
     set_count(r, m, "vertices", run->mesh.vertices);
     set_count(r, m, "faces", run->mesh.faces);
     set_count(r, m, "halfedges", run->mesh.halfedges);
+    return m;
+}
+
+/* --- The program and the machine ----------------------------------------------------------------
+ */
+
+static json_t *versions_of(report *r) {
+    json_t *v = json_object();
+    set_text(r, v, "halfstep", HS_VERSION);
+    set_count(r, v, "stream", HS_STREAM_VERSION);
+    set_text(r, v, "commit", hs_program.commit);
+    set_text(r, v, "compiler", hs_program.compiler);
+    set_text(r, v, "simulator", hs_program.simulator);
+    return v;
+}
+
+static json_t *machine_of(report *r) {
+    hs_machine machine;
+    hs_machine_read(&machine);
+    json_t *m = json_object();
+    set_text(r, m, "system", machine.system);
+    set_text(r, m, "processor", machine.processor);
+    set_count(r, m, "cores", machine.cores);
+    set_count(r, m, "memory", machine.memory);
     return m;
 }
 
@@ -146,6 +171,8 @@ static json_t *generations_of(report *r, const hs_run_view *view) {
         set_count(r, o, "boundary", g->boundary);
         set_count(r, o, "vertices", g->vertices);
         set_count(r, o, "moved", g->moved);
+        set(r, o, "cycle",
+            view->generation_cycle ? cycles_or_null(view->generation_cycle[i]) : json_null());
         append(r, generations, o);
     }
     return generations;
@@ -222,10 +249,9 @@ static json_t *view_of(report *r, const hs_run *run, const hs_run_view *view) {
 bool hs_report_write(const hs_run *run, hs_error *err) {
     report r = {false};
     bool equal = true;
-    json_t *root = json_object(), *views = json_array(), *versions = json_object();
-    set_text(&r, versions, "halfstep", HS_VERSION);
-    set_count(&r, versions, "stream", HS_STREAM_VERSION);
-    set(&r, root, "versions", versions);
+    json_t *root = json_object(), *views = json_array();
+    set(&r, root, "versions", versions_of(&r));
+    set(&r, root, "machine", machine_of(&r));
     set(&r, root, "mesh", mesh_of(&r, run));
     set(&r, root, "settings", settings_of(&r, run));
     for (uint32_t i = 0; i < run->done; i++) {

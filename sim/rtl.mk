@@ -92,6 +92,16 @@ parity: $(BUILD)/parity $(patsubst %,$(BUILD)/parity-%,$(ARCHITECTURES) flight) 
 
 LINK_RTL  = $(CXX) $< $(RTL_LIBS) -o $@ $(LIBS) -pthread
 
+# What reports say of the program. Written only if it is another, so that nothing is built for it.
+$(BUILD)/build_info.h: FORCE
+	@mkdir -p $(@D)
+	@printf '#define HS_BUILD_COMMIT "%s"\n#define HS_BUILD_SIMULATOR "%s"\n' \
+	    "$$(git describe --always --abbrev=12 --dirty=+ 2>/dev/null || echo unknown)" "$$(verilator --version)" >$@.new
+	@cmp -s $@.new $@ || cp $@.new $@
+.PHONY: FORCE
+$(BUILD)/sim/main.o: $(BUILD)/build_info.h
+$(BUILD)/sim/main.o: CFLAGS += -I$(BUILD)
+
 $(BUILD)/halfstep: $(BUILD)/sim/main.o $(RTL_LIBS)
 	$(LINK_RTL)
 

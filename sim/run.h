@@ -38,6 +38,7 @@ bool hs_engines_parse(const char *list, uint32_t *engines, hs_error *err);
 /* What a run was asked for. Text belongs to the command line. */
 typedef struct hs_run_request {
     const char *mesh, *views, *force, *out, *json, *wave; /* NULL: not given */
+    char own_json[4200];                                  /* where json points if out alone is */
     uint32_t orbit;                                       /* viewpoints, if there is no file */
     uint32_t only;                                        /* the one view to run, or UINT32_MAX */
     uint32_t width, height;                               /* pixels */
@@ -88,6 +89,7 @@ typedef struct hs_run_view {
     hs_bound bound;
     hs_cycle_report cycles[HS_ENGINES]; /* of those that have a clock: hs_engine_timed */
     hs_latency latency[HS_ENGINES];
+    uint64_t *generation_cycle;        /* model's, if it ran: hs_model_generation_cycle; owned */
     hs_reference_decisions decisions;  /* if reference ran */
     hs_reference_comparison reference; /* if reference and golden were compared */
     uint32_t comparisons;

@@ -90,6 +90,11 @@ static bool run_model(work *w, hs_error *err) {
         return false;
     w->view->engine[HS_ENGINE_model].seconds = hs_seconds() - start;
     measure_latency(w, HS_ENGINE_model);
+    uint64_t *cycle = malloc((w->view->generations + 1) * sizeof *cycle);
+    if (!cycle) return hs_fail(err, HS_EXIT_INTERNAL, "no memory for the report");
+    for (uint32_t g = 0; g < w->view->generations; g++)
+        cycle[g] = hs_model_generation_cycle(run->model, g);
+    w->view->generation_cycle = cycle;
     return true;
 }
 
@@ -371,6 +376,7 @@ bool hs_run_one(hs_run *run, uint32_t number, hs_run_view *view, hs_error *err) 
 
 void hs_run_view_free(hs_run_view *view) {
     free(view->generation);
+    free(view->generation_cycle);
     free(view->pictures);
     *view = (hs_run_view){0};
 }
