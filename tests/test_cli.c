@@ -134,6 +134,26 @@ static void a_wrong_value_says_what_would_be_right(void **state) {
     expect(HS_EXIT_USAGE, "run shape:grid:4:1:1", "shape:NAME[:SIZE[:SEED]]");
 }
 
+static void a_run_becomes_a_page(void **state) {
+    (void)state;
+    expect(HS_EXIT_OK, "report --help", "halfstep report out/hand --explore out/space");
+    expect(HS_EXIT_USAGE, "report", "DIR is missing");
+    expect(HS_EXIT_USAGE, "report @ --faces 1", "a number from 100 to 1000000");
+    write_file("t.html", "<title>@HALFSTEP_TITLE@</title>@HALFSTEP_DATA@");
+    expect(HS_EXIT_FILE, "report @/none --template @/t.html", "none: there is no such folder");
+    expect(HS_EXIT_FILE, "report @ --template @/t.html", "halfstep run MESH --out DIR");
+    expect(HS_EXIT_OK,
+           "run shape:cube --orbit 2 --engine golden,model --size 32x32 --levels 1 --out @/o",
+           "o/run.json");
+    expect(HS_EXIT_OK, "report @/o --template @/t.html", "o/report.html");
+    assert_true(exists("o/report.html"));
+    expect(HS_EXIT_OK, "report @/o --template @/t.html -q -o - | head -c 40",
+           "<title>shape:cube, 2 views</title>{");
+    /* Beside a program that was not built here there is no page. */
+    expect(HS_EXIT_FILE, "--version && cp build/halfstep @/h && @/h report @/o 2>&1; exit $?",
+           "`make report` makes it");
+}
+
 static void an_option_that_does_nothing_is_refused(void **state) {
     (void)state;
     expect(HS_EXIT_USAGE, "run shape:cube --boundary smoth", "did you mean \"smooth\"?");
@@ -524,6 +544,7 @@ int main(void) {
         TEST(an_unknown_word_names_the_nearest_one),
         TEST(a_wrong_value_says_what_would_be_right),
         TEST(an_option_that_does_nothing_is_refused),
+        TEST(a_run_becomes_a_page),
         TEST(a_mesh_is_described_with_its_creases_and_its_boundary),
         TEST(a_standard_output_that_takes_nothing_is_an_error),
         TEST(the_model_counts_the_cycles_of_the_rtl),

@@ -128,7 +128,7 @@ function cyclePlot() {
           ...['receive', ...figures.PASSES].map((stage) => ({
             label: stage, data: rows.map((r) => r[stage]), backgroundColor: PALETTE[figures.STAGES.indexOf(stage)], stack: 'stages',
           })),
-          line('bound', 'bound', [6, 4]), line('cycles', 'cycles', []),
+          line('bound (dashed)', 'bound', [6, 4]), line('cycles', 'cycles', []),
         ],
       },
       options: { interaction: { mode: 'index' }, scales: { x: axis('view', stacked), y: axis('cycles', { beginAtZero: true, ...stacked }) } },
@@ -187,7 +187,7 @@ function sizePlot() {
   const most = (f, key) => f(...rows.map((r) => r[key]).filter((v) => v > 0));
   const decades = (key) => ({ min: 10 ** Math.floor(Math.log10(most(Math.min, key))), max: 10 ** Math.ceil(Math.log10(most(Math.max, key) + 1)) });
   /** Of the logarithmic axis: 1, 2, 5, 10, ... */
-  const tick = (value) => ([1, 2, 5].includes(Number(value.toPrecision(1)) / 10 ** Math.floor(Math.log10(value))) ? number(value) : '');
+  const tick = (value) => ([1, 2, 5].includes(Math.round(100 * value / 10 ** Math.floor(Math.log10(value) + 1e-9)) / 100) ? number(value) : '');
   const one = addPlot({
     name: 'size', title: 'Cycles per face against mesh size,', note: data.with.length ? 'a point a view, of this run and of those given beside it.' : 'a point a view.',
     controls: [choice({ id: 'size-x', label: 'size', value: x, options: [['mesh_faces', 'faces of the initial mesh'], ['faces', 'faces that came out']], change: (to) => { x = to; one.redraw(); } })],

@@ -264,10 +264,10 @@ export function meshSection({ meshes, state, size }) {
   }
 
   /** Both panes share the geometry. */
-  function putInto(pane, surface, edges, look) {
+  function putInto(pane, surface, edges, look, opacity) {
     pane.material = surfaceMaterial(look.eye.clone(), look.up.clone(), pane === orbit && look.mirrored);
     pane.shown = [new Mesh(surface, pane.material)];
-    if (edges) pane.shown.push(new LineSegments(edges, new LineBasicMaterial({ color: 0x1b2530, transparent: true, opacity: 0.45 })));
+    if (edges) pane.shown.push(new LineSegments(edges, new LineBasicMaterial({ color: 0x1b2530, transparent: true, opacity })));
     if (pane === orbit) pane.shown.push(pane.cone = markerOf(pane.around));
     for (const object of pane.shown) {
       object.frustumCulled = false;
@@ -280,9 +280,11 @@ export function meshSection({ meshes, state, size }) {
     if (current?.name !== name) current = { name, mesh: unpackMesh(stored.data, view.box) };
     const surface = surfaceOf(current.mesh), edges = wires.checked ? wiresOf(current.mesh) : null;
     paintSurface(surface, current.mesh, PAINTS[paint].of(current.mesh, view.deepest));
+    // The more edges there are, the paler: what they lie on is to be seen.
+    const opacity = Math.min(0.5, 0.5 * Math.sqrt(4000 / current.mesh.faces));
     for (const pane of [orbit, frozen]) {
       empty(pane);
-      putInto(pane, surface, edges, view.look);
+      putInto(pane, surface, edges, view.look, opacity);
     }
     legend.replaceChildren(...PAINTS[paint].legend(view.deepest).map(([text, [red, green, blue]]) =>
       h('li', {}, h('span', { class: 'swatch', style: `background: rgb(${red} ${green} ${blue})` }), text)));
