@@ -92,9 +92,9 @@ static void name_page(char *title, size_t size, const json_t *data) {
 }
 
 static void print_notes(const json_t *data) {
-    const json_t *notes = json_object_get(data, "notes"), *text;
-    size_t i;
-    json_array_foreach(notes, i, text) fprintf(stderr, "note: %s\n", json_string_value(text));
+    const json_t *notes = json_object_get(data, "notes");
+    for (size_t i = 0; i < json_array_size(notes); i++)
+        fprintf(stderr, "note: %s\n", json_string_value(json_array_get(notes, i)));
 }
 
 static bool report(const request *r, hs_error *err) {

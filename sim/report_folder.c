@@ -100,9 +100,9 @@ static const char BY_EXPLORE[] = "`halfstep explore MESH --out DIR`";
 
 /* What the page reads of a view; the rest may be missing. */
 static bool check_views(const json_t *run, const char *path, hs_error *err) {
-    const json_t *views = json_object_get(run, "views"), *view;
-    size_t i;
-    json_array_foreach(views, i, view) {
+    const json_t *views = json_object_get(run, "views");
+    for (size_t i = 0; i < json_array_size(views); i++) {
+        const json_t *view = json_array_get(views, i);
         const json_t *number = json_object_get(view, "view");
         if (json_is_integer(number) && json_integer_value(number) >= 0 &&
             json_integer_value(number) <= UINT16_MAX &&

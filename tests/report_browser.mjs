@@ -164,8 +164,8 @@ test('what faces the viewpoint is what the other camera sees', async (page) => {
     for (let i = 0; i < data.length; i += 4) {
       if (data[i + 3] < 255) continue;
       const ratio = data[i + 2] / Math.max(data[i], 1);
-      front += ratio > 2.5;
-      back += ratio > 1.1 && ratio < 1.3;
+      front += ratio > 1.9 && ratio < 2.4;
+      back += ratio > 1.25 && ratio < 1.5;
     }
     return { front, back };
   }, id);

@@ -281,7 +281,7 @@ export function meshSection({ meshes, state, size }) {
     const surface = surfaceOf(current.mesh), edges = wires.checked ? wiresOf(current.mesh) : null;
     paintSurface(surface, current.mesh, PAINTS[paint].of(current.mesh, view.deepest));
     // The more edges there are, the paler: what they lie on is to be seen.
-    const opacity = Math.min(0.5, 0.5 * Math.sqrt(4000 / current.mesh.faces));
+    const opacity = Math.min(0.5, 0.5 * (4000 / current.mesh.faces) ** 0.75);
     for (const pane of [orbit, frozen]) {
       empty(pane);
       putInto(pane, surface, edges, view.look, opacity);

@@ -28,23 +28,30 @@ function ink() {
   return light ? { text: '#2a333c', grid: '#dde2e7', line: '#11181f' } : { text: '#c9d1d9', grid: '#313a44', line: '#f2f5f8' };
 }
 
-function paint(chart) {
+/** Colours go into the options as they were made: what a chart gives back of them are its own views on them. */
+function paint({ chart, made }) {
   const { text, grid, line } = ink();
-  chart.options.color = text;
-  for (const scale of Object.values(chart.options.scales ?? {})) {
+  for (const scale of Object.values(made.options.scales)) {
     scale.ticks = { ...scale.ticks, color: text };
     scale.grid = { ...scale.grid, color: grid };
     if (scale.title) scale.title.color = text;
   }
-  for (const set of chart.data.datasets)
-    if (set.ink) set.borderColor = set.backgroundColor = set.pointBackgroundColor = line;
+  made.data.datasets.forEach((set) => {
+    set.pointStyle ??= (set.type ?? made.type) === 'bar' ? 'rect' : 'circle';
+    if (set.ink) set.borderColor = set.backgroundColor = line;
+  });
+  chart.data = made.data;
+  chart.options = {
+    ...made.options, color: text,
+    plugins: { legend: { position: 'bottom', labels: { boxWidth: 22, boxHeight: 9, usePointStyle: true, color: text } }, ...made.options.plugins },
+  };
   chart.update('none');
 }
 
 const repaint = () => charts.forEach(paint);
 dark.addEventListener('change', repaint);
-window.addEventListener('beforeprint', () => { printing = true; charts.forEach((chart) => { chart.resize(); paint(chart); }); });
-window.addEventListener('afterprint', () => { printing = false; charts.forEach((chart) => { chart.resize(); paint(chart); }); });
+window.addEventListener('beforeprint', () => { printing = true; charts.forEach((one) => { one.chart.resize(); paint(one); }); });
+window.addEventListener('afterprint', () => { printing = false; charts.forEach((one) => { one.chart.resize(); paint(one); }); });
 
 export const axis = (title, more = {}) => ({ title: { display: true, text: title }, ...more });
 
@@ -61,26 +68,19 @@ export function plot({ name, title, note, make, controls = [] }) {
     controls.length ? h('div', { class: 'controls' }, controls) : null,
     h('div', { class: 'chart' }, canvas),
     h('div', { class: 'tools' }, exports({ name, columns: () => made.columns, rows: () => made.rows }), details));
-  const style = () => made.data.datasets.forEach((set) => { set.pointStyle ??= (set.type ?? made.type) === 'bar' ? 'rect' : 'circle'; });
-  const draw = () => {
-    const { type, data, options } = made;
-    style();
-    chart = new Chart(canvas, { type, data, options: { ...options, plugins: { legend: { position: 'bottom', labels: { boxWidth: 22, boxHeight: 9, usePointStyle: true } }, ...options.plugins } } });
-    charts.push(chart);
-    paint(chart);
-  };
+  const entry = { get made() { return made; }, get chart() { return chart; } };
   return {
     element: figure,
     /** Once the figure is in the page, which gives it its size. */
-    start: draw,
+    start() {
+      chart = new Chart(canvas, { type: made.type, data: { datasets: [] } });
+      charts.push(entry);
+      paint(entry);
+    },
     redraw() {
       made = make();
       fill();
-      if (!chart) return;
-      style();
-      chart.data = made.data;
-      chart.options.scales = made.options.scales;
-      paint(chart);
+      if (chart) paint(entry);
     },
   };
 }
