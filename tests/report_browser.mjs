@@ -3,7 +3,7 @@
 // The page of halfstep report in a browser, opened from disk: node report_browser.mjs REPORT.html FOLDER. Playwright's
 // package must be in the folder that it runs in. Screenshots go to FOLDER. Closes with "N passed, N failed".
 import { createRequire } from 'node:module';
-import { mkdirSync, readFileSync } from 'node:fs';
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import assert from 'node:assert/strict';
@@ -22,15 +22,15 @@ const browser = await chromium.launch({
 });
 
 /** A page of its own; what it says wrong, and what it asks the network for, is kept. */
-async function open(options) {
+async function open(options, file = report) {
   const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, acceptDownloads: true, ...options });
   const page = await context.newPage();
   page.wrong = [];
   page.on('console', (message) => { if (['error', 'warning'].includes(message.type()) && !/GPU stall|GL Driver/.test(message.text())) page.wrong.push(message.text()); });
   page.on('pageerror', (error) => page.wrong.push(String(error)));
   page.on('request', (request) => { if (!/^(file|data|blob):/.test(request.url())) page.wrong.push(`asks for ${request.url()}`); });
-  await page.goto(pathToFileURL(report).href);
-  await page.waitForSelector('#mesh-orbit');
+  await page.goto(pathToFileURL(file).href);
+  await page.waitForSelector('#notes');
   await settle(page);
   return page;
 }
@@ -250,6 +250,39 @@ test('it prints', async () => {
   assert.ok(pdf.length > 100000);
   assert.deepEqual(page.wrong, []);
   await page.context().close();
+});
+
+/** The page with other data. */
+async function openData(name, data) {
+  const file = join(folder, name), text = JSON.stringify(data).replaceAll('<', '\\u003c');
+  const at = html.indexOf('<script id="data"'), begin = html.indexOf('>', at) + 1, end = html.indexOf('</script>', begin);
+  writeFileSync(file, html.slice(0, begin) + text + html.slice(end));
+  return open({}, file);
+}
+
+test('names are text, whatever they hold', async () => {
+  const evil = '<img src=x onerror="console.error(1)"><script>console.error(2)</script>';
+  const changed = structuredClone({ ...embedded, meshes: {}, pictures: {}, notes: [evil] });
+  changed.run.mesh.source = changed.run.settings.engines[0] = changed.run.machine.processor = evil;
+  for (const view of changed.run.views) for (const c of view.comparisons) c.what = evil;
+  for (const exploration of changed.explore) exploration.mesh = evil;
+  const page = await openData('evil.html', changed);
+  assert.ok((await texts(page, '#ran dd')).includes(evil));
+  assert.ok((await page.textContent('#notes')).includes(evil));
+  assert.equal(await page.locator('#page script, #page img').count(), 0);
+  assert.deepEqual(page.wrong, []);
+  await page.context().close();
+});
+
+test('data that lack nearly everything make a page all the same', async () => {
+  const empty = { run: { views: [] }, written: '', with: [], explore: [{ points: [] }], pictures: {}, meshes: {}, timelines: [], notes: [] };
+  const odd = { ...empty, run: { views: [{ view: 3, engines: {}, generations: 7, comparisons: null }, { view: 1, engines: { rtl: { cycles: 'x' } } }] }, explore: [{ points: [{}] }] };
+  for (const data of [empty, odd]) {
+    const page = await openData('empty.html', data);
+    assert.ok(await page.locator('section').count() >= 6);
+    assert.deepEqual(page.wrong, []);
+    await page.context().close();
+  }
 });
 
 // --- Running them -----------------------------------------------------------------------------------

@@ -151,7 +151,7 @@ function generationPlots() {
     name: 'generation-faces', title: 'Faces per generation,', note: 'of the view above: active, wanted, refined, and those that left.',
     make: make([bars('active', 'active', PALETTE[4]), bars('selected', 'selected', PALETTE[1]), bars('refined', 'refined', PALETTE[2]), bars('left', 'final', PALETTE[0])], 'faces'),
   })];
-  if (views.some((view) => view.generations?.some((g) => typeof g.cycle === 'number')))
+  if (views.some((view) => figures.generationRows(view).some((g) => g.cycle !== null)))
     both.push(addPlot({
       name: 'generation-cycles', title: 'Cycles per generation,', note: 'from where the sequencer turns to it to where it turns to the next one.',
       make: make([bars('cycles', 'cycles', PALETTE[6])], 'cycles'),
@@ -264,30 +264,55 @@ function designSection(exploration, index) {
 
 // --- The page -------------------------------------------------------------------------------------
 
-function sections() {
-  const cycles = cyclePlot(), utilization = utilizationPlot(), size = sizePlot(), generations = generationPlots();
+function viewsSection() {
+  const cycles = cyclePlot(), utilization = utilizationPlot();
   const columns = figures.VIEW_COLUMNS.map((c) => (c.key === 'verdict' ? { ...c, show: verdict } : c));
-  const allGenerations = views.flatMap(figures.generationRows);
-  return [
-    whatRan(), verdicts(), pictures(),
-    section('mesh', 'Mesh', h('p', { class: 'soft' }, 'What came out, and the surface as it was after each step: move the slider and see the refinement run.'),
-      h('div', { class: 'controls' }, viewSlider('view-mesh')), meshSection({ meshes: data.meshes, state, size: run.settings?.size ?? [1, 1] })),
-    section('views', 'Views', cycles ? h('div', { class: 'plots' }, cycles.element, utilization?.element) : null,
-      tableBox({ name: 'views', label: 'Views', columns, rows: viewRows, sort: 'view' })),
-    section('generations', 'Generations', h('div', { class: 'controls' }, viewSlider('view-generations')),
-      h('div', { class: 'plots' }, generations.map((p) => p.element)),
-      h('p', { class: 'tools' }, 'Generations of all views: ', exports({ name: 'generations', columns: () => figures.GENERATION_COLUMNS, rows: () => allGenerations }))),
-    size ? section('size', 'Mesh size', size.element) : null,
-    data.explore.length ? section('design', 'Design space', data.explore.map(designSection)) : null,
-    data.timelines.length ? section('timeline', 'Timeline', data.timelines.map(({ name, image }) =>
-      h('figure', {}, h('img', { class: 'timeline', src: image, alt: `Timeline ${name}` }), h('figcaption', {}, name)))) : null,
-    section('notes', 'Notes',
-      data.notes.length ? h('ul', {}, data.notes.map((text) => h('li', {}, text))) : h('p', { class: 'soft' }, 'Nothing is missing.'),
-      h('p', {}, h('button', { type: 'button', onclick: () => download('run.json', 'application/json', JSON.stringify(run, null, 1)) }, 'run.json'))),
-  ].filter(Boolean);
+  return section('views', 'Views', cycles ? h('div', { class: 'plots' }, cycles.element, utilization?.element) : null,
+    tableBox({ name: 'views', label: 'Views', columns, rows: viewRows, sort: 'view' }));
 }
 
-const all = sections();
+function generationSection() {
+  if (!views.some((view) => Array.isArray(view.generations))) return null;
+  const rows = views.flatMap(figures.generationRows);
+  return section('generations', 'Generations', h('div', { class: 'controls' }, viewSlider('view-generations')),
+    h('div', { class: 'plots' }, generationPlots().map((p) => p.element)),
+    h('p', { class: 'tools' }, 'Generations of all views: ', exports({ name: 'generations', columns: () => figures.GENERATION_COLUMNS, rows: () => rows })));
+}
+
+function sizeSection() {
+  const size = sizePlot();
+  return size && section('size', 'Mesh size', size.element);
+}
+
+const meshes = () => section('mesh', 'Mesh',
+  h('p', { class: 'soft' }, 'What came out, and the surface as it was after each step: move the slider and see the refinement run.'),
+  h('div', { class: 'controls' }, viewSlider('view-mesh')), meshSection({ meshes: data.meshes, state, size: run.settings?.size ?? [1, 1] }));
+
+const design = () => data.explore.length && section('design', 'Design space', data.explore.map(designSection));
+
+const timelines = () => data.timelines.length && section('timeline', 'Timeline', data.timelines.map(({ name, image }) =>
+  h('figure', {}, h('img', { class: 'timeline', src: image, alt: `Timeline ${name}` }), h('figcaption', {}, name))));
+
+const notes = () => section('notes', 'Notes',
+  data.notes.length ? h('ul', {}, data.notes.map((text) => h('li', {}, text))) : h('p', { class: 'soft' }, 'Nothing is missing.'),
+  h('p', {}, h('button', { type: 'button', onclick: () => download('run.json', 'application/json', JSON.stringify(run, null, 1)) }, 'run.json')));
+
+/** A part that the data does not allow says so, and the others are there all the same. */
+function attempt([id, title, make]) {
+  const before = plots.length;
+  try {
+    return make();
+  } catch (error) {
+    plots.length = before;
+    return section(id, title, h('p', { class: 'warning' }, `The data of this part is not as it should be: ${error.message}`));
+  }
+}
+
+const all = [
+  ['ran', 'What ran', whatRan], ['verdicts', 'Verdicts', verdicts], ['pictures', 'Pictures', pictures], ['mesh', 'Mesh', meshes],
+  ['views', 'Views', viewsSection], ['generations', 'Generations', generationSection], ['size', 'Mesh size', sizeSection],
+  ['design', 'Design space', design], ['timeline', 'Timeline', timelines], ['notes', 'Notes', notes],
+].map(attempt).filter(Boolean);
 listeners.push(() => plots.forEach((one) => one.redraw()));
 document.getElementById('page').replaceChildren(head(),
   h('nav', { 'aria-label': 'Sections' }, h('ul', {}, all.map((s) => h('li', {}, h('a', { href: `#${s.id}` }, s.querySelector('h2').textContent))))),
