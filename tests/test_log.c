@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
- * Logs of transactions without an RTL: what their comparison counts and says, and that the model
- * writes none of what is beyond its memories.
+ * Logs of transactions without an RTL: what their comparison counts and says, that the model
+ * writes none of what is beyond its memories, and when it says that a generation begins.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -99,11 +99,52 @@ static void what_is_beyond_the_memories_is_not_written(void **state) {
     hs_mesh_free(&mesh);
 }
 
+/* The kicks of classify, which begins each generation. */
+static void a_generation_begins_where_its_first_stage_starts(void **state) {
+    (void)state;
+    hs_error err = {0};
+    hs_mesh mesh;
+    hs_views views;
+    hs_packet in = {0}, out = {0};
+    const hs_settings settings = {.front_depth = 2, .silhouette_depth = 4, .guard = true};
+    assert_true(hs_shape_make(&mesh, "hand", 0, 1, &err));
+    assert_true(hs_views_orbit(&views, 1, &mesh, 1, &err));
+    assert_true(hs_packet_encode(&in, 0, &mesh, views.view[0].matrix, &settings, &err));
+    hs_log log = {0};
+    hs_golden_report report;
+    hs_cycle_report cycles;
+    hs_model *model = hs_model_new(HS_DEFAULT_LIMITS, HS_DEFAULT_CONFIG, &err);
+    assert_non_null(model);
+    const hs_stalls stalls = {.seed = 1, .input = 20, .output = 20};
+    assert_true(hs_model_run(model, &in, stalls, &out, &report, &cycles, &log, &err));
+    uint32_t found = 0;
+    for (size_t i = 0; i < log.probe[HS_PROBE_kick].count; i++) {
+        const hs_transaction *t = &log.probe[HS_PROBE_kick].transaction[i];
+        if (t->item != HS_STAGE_classify) continue;
+        assert_int_equal(t->word[0], found);
+        assert_int_equal(hs_model_generation_cycle(model, found),
+                         cycles.begin + t->cycle - cycles.start);
+        found++;
+    }
+    assert_int_equal(found, 4); /* the last step, 3 to 4, leaves nothing to classify */
+    assert_true(hs_model_generation_cycle(model, found) == HS_NO_CYCLE);
+    in.word[0] = 0;
+    assert_true(hs_model_run(model, &in, stalls, &out, &report, &cycles, NULL, &err));
+    assert_true(hs_model_generation_cycle(model, 0) == HS_NO_CYCLE);
+    hs_model_free(model);
+    hs_log_free(&log);
+    hs_packet_free(&in);
+    hs_packet_free(&out);
+    hs_views_free(&views);
+    hs_mesh_free(&mesh);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(all_transactions_are_compared),
         cmocka_unit_test(the_earliest_difference_is_told),
         cmocka_unit_test(what_is_beyond_the_memories_is_not_written),
+        cmocka_unit_test(a_generation_begins_where_its_first_stage_starts),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
- * The meshes and generations of halfstep report's page: are they those of the run?
+ * The meshes of halfstep report's page: are they those of the run?
  */
 #include "report_scene.h"
 
@@ -8,7 +8,6 @@
 #include <zlib.h>
 
 #include "decimate.h"
-#include "model.h"
 #include "report_mesh.h"
 
 /* --- Meshes -------------------------------------------------------------------------------------
@@ -301,38 +300,6 @@ static void why_there_is_no_mesh_is_said(void **state) {
     free_scene(&s);
 }
 
-/* --- Cycles of generations ----------------------------------------------------------------------
- */
-
-/* The sequencer's log says when the first stage of a generation starts. */
-static void a_generation_begins_where_its_first_stage_starts(void **state) {
-    (void)state;
-    scene s = make_scene("hand", 0, adaptive, false);
-    hs_error err = {0};
-    hs_log log = {0};
-    hs_packet out = {0};
-    hs_golden_report report;
-    hs_cycle_report cycles;
-    hs_model *model = hs_model_new(HS_DEFAULT_LIMITS, HS_DEFAULT_CONFIG, &err);
-    assert_non_null(model);
-    assert_true(hs_model_run(model, &s.in, (hs_stalls){.seed = 1, .input = 20, .output = 20}, &out,
-                             &report, &cycles, &log, &err));
-    uint32_t found = 0;
-    for (size_t i = 0; i < log.probe[HS_PROBE_kick].count; i++) {
-        const hs_transaction *t = &log.probe[HS_PROBE_kick].transaction[i];
-        if (t->item != HS_STAGE_classify) continue;
-        const uint64_t expected = cycles.begin + t->cycle - cycles.start;
-        assert_int_equal(hs_model_generation_cycle(model, t->word[0]), expected);
-        assert_int_equal(t->word[0], found++);
-    }
-    assert_int_equal(found, 4); /* the last step, 3 to 4, leaves nothing to classify */
-    assert_true(hs_model_generation_cycle(model, found) == HS_NO_CYCLE);
-    hs_model_free(model);
-    hs_log_free(&log);
-    hs_packet_free(&out);
-    free_scene(&s);
-}
-
 int main(void) {
 #define TEST(name) cmocka_unit_test_setup_teardown(name, set_up, tear_down)
     const struct CMUnitTest tests[] = {
@@ -341,7 +308,6 @@ int main(void) {
         TEST(a_large_mesh_is_decimated_and_says_so),
         TEST(decimation_keeps_what_is_few_and_leaves_no_more_than_asked),
         TEST(why_there_is_no_mesh_is_said),
-        TEST(a_generation_begins_where_its_first_stage_starts),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
