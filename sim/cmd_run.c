@@ -11,6 +11,7 @@
 #include "options.h"
 #include "report_json.h"
 #include "run.h"
+#include "run_timeline.h"
 #include "surface_options.h"
 
 static const hs_command COMMAND = {
@@ -38,6 +39,8 @@ static const hs_command COMMAND = {
             "  halfstep run bob.obj --views my.txt --stalls 30,50 --seed 7\n"
             "      your own viewpoints (docs/command-line.md), both sides of the streams\n"
             "      pausing at random in 30 and 50 % of the cycles\n"
+            "  halfstep run shape:hand --engine model --timeline hand.json --kanata hand.log\n"
+            "      what was at work when: for Perfetto, and for Konata (docs/timeline.md)\n"
             "\n"
             "Exits 0 if all comparisons hold, 1 if engines differ, 7 if a view was refused;\n"
             "docs/command-line.md has all codes, and the keys of the JSON report.\n"};
@@ -88,6 +91,15 @@ typedef struct texts {
     bool orbit_given, seed_given, only_given;
 } texts;
 
+/* How many files go to standard output. */
+static int to_stdout(const hs_run_request *r) {
+    const char *const path[] = {r->json, r->timeline, r->kanata, r->timeline_svg};
+    int count = 0;
+    for (size_t i = 0; i < sizeof path / sizeof *path; i++)
+        count += path[i] && strcmp(path[i], "-") == 0;
+    return count;
+}
+
 static bool complete(hs_run_request *r, const texts *t, hs_error *err) {
     if (!hs_engines_parse(t->engines, &r->engines, err)) return false;
     if (!hs_pair_parse(t->size, 'x', &r->width, &r->height) || r->width < 16 || r->height < 16 ||
@@ -117,6 +129,14 @@ static bool complete(hs_run_request *r, const texts *t, hs_error *err) {
         return hs_fail(err, HS_EXIT_USAGE, "--wave-cycles needs --wave FILE");
     if (r->wave && !(r->engines >> HS_ENGINE_rtl & 1))
         return hs_fail(err, HS_EXIT_USAGE, "--wave shows the rtl; add rtl to --engine");
+    if (hs_run_timelines_wanted(r) && !(r->engines & (1u << HS_ENGINE_rtl | 1u << HS_ENGINE_model)))
+        return hs_fail(err, HS_EXIT_USAGE,
+                       "--timeline, --kanata and --timeline-svg need cycles; add model or rtl to "
+                       "--engine");
+    if (to_stdout(r) > 1)
+        return hs_fail(err, HS_EXIT_USAGE,
+                       "only one of --json, --timeline, --kanata and --timeline-svg can go to "
+                       "standard output; give the others a file");
     if (r->views && t->orbit_given)
         return hs_fail(err, HS_EXIT_USAGE, "--views and --orbit exclude each other; give one");
     return hs_surface_settings(&r->settings, &t->surface, r->force != NULL, r->width, r->height,
@@ -178,6 +198,12 @@ static enum hs_parsed parse(hs_run_request *r, int argc, char **argv, hs_error *
          "waveform (FST) of rtl; for one view"},
         {"wave-cycles", 0, HS_OPTION_TEXT, "A:B", &t.window, 0, 0, NULL,
          "only these cycles, counted from the view's start"},
+        {"timeline", 0, HS_OPTION_TEXT, "FILE", &r->timeline, 0, 0, NULL,
+         "what was at work when, as a trace for Perfetto"},
+        {"kanata", 0, HS_OPTION_TEXT, "FILE", &r->kanata, 0, 0, NULL,
+         "each quad's way through the stages, for Konata"},
+        {"timeline-svg", 0, HS_OPTION_TEXT, "FILE", &r->timeline_svg, 0, 0, NULL,
+         "the timeline as a picture; for one view"},
         {"quiet", 'q', HS_OPTION_FLAG, NULL, &r->quiet, 0, 0, NULL, "no notes, no progress line"},
         {0}};
     int operand;
@@ -214,6 +240,9 @@ static bool open_views(hs_run *run, hs_error *err) {
                        run->views.count - 1);
     if (r->wave && r->only == UINT32_MAX && run->views.count > 1)
         return hs_fail(err, HS_EXIT_USAGE, "--wave records one view; choose it with --view N");
+    if (r->timeline_svg && r->only == UINT32_MAX && run->views.count > 1)
+        return hs_fail(err, HS_EXIT_USAGE,
+                       "--timeline-svg draws one view; choose it with --view N");
     return true;
 }
 
@@ -248,6 +277,7 @@ static bool prepare(hs_run *run, hs_error *err) {
         run->rtl = hs_rtl_new(r->limits, r->stalls.seed, err);
         if (!run->rtl) return false;
     }
+    if (!hs_run_timelines_begin(run, err)) return false;
     const uint32_t count = r->only == UINT32_MAX ? run->views.count : 1;
     run->view = calloc(count, sizeof *run->view);
     return run->view || hs_fail(err, HS_EXIT_INTERNAL, "no memory for the reports");
@@ -297,10 +327,15 @@ static int exit_code(const hs_run *run) {
 static bool run_all(hs_run *run, hs_error *err) {
     if (!prepare(run, err) || !run_views(run, err)) return false;
     const hs_run_request *r = run->request;
+    if (!hs_run_timelines_end(run, err)) return false;
     if (r->json && !hs_report_write(run, err)) return false;
     if (r->out) fprintf(run->table, "folder: %s\n", r->out);
-    if (r->json && run->table == stdout) printf("report: %s\n", r->json);
+    if (r->json && strcmp(r->json, "-") != 0) fprintf(run->table, "report: %s\n", r->json);
     if (r->wave) fprintf(run->table, "waveform: %s\n", r->wave);
+    const char *const timeline[] = {r->timeline, r->kanata, r->timeline_svg};
+    for (int i = 0; i < 3; i++)
+        if (timeline[i] && strcmp(timeline[i], "-") != 0)
+            fprintf(run->table, "timeline: %s\n", timeline[i]);
     return true;
 }
 
@@ -310,9 +345,8 @@ int hs_command_run(int argc, char **argv, hs_error *err) {
     if (parsed == HS_PARSED_HELP) return HS_EXIT_OK;
     if (parsed == HS_PARSED_WRONG) return err->code;
 
-    const bool report_on_stdout = request.json && strcmp(request.json, "-") == 0;
     hs_run run = {
-        .request = &request, .table = report_on_stdout ? stderr : stdout, .folder_lock = -1};
+        .request = &request, .table = to_stdout(&request) ? stderr : stdout, .folder_lock = -1};
     hs_progress_start(&run.progress, request.quiet);
     const bool good = run_all(&run, err);
     hs_progress_clear(&run.progress);
@@ -320,6 +354,7 @@ int hs_command_run(int argc, char **argv, hs_error *err) {
     for (uint32_t i = 0; i < run.done; i++)
         hs_run_view_free(&run.view[i]);
     free(run.view);
+    hs_run_timelines_abandon(&run);
     hs_run_pictures_free(run.pictures);
     hs_rtl_free(run.rtl);
     hs_model_free(run.model);

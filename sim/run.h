@@ -13,11 +13,13 @@
 
 #include "bound.h"
 #include "compare.h"
+#include "file.h"
 #include "model.h"
 #include "progress.h"
 #include "reference.h"
 #include "rtl.h"
 #include "run_pictures.h"
+#include "timeline.h"
 #include "view.h"
 
 /* The engines of this program, in the order in which they run. */
@@ -38,6 +40,7 @@ bool hs_engines_parse(const char *list, uint32_t *engines, hs_error *err);
 /* What a run was asked for. Text belongs to the command line. */
 typedef struct hs_run_request {
     const char *mesh, *views, *force, *out, *json, *wave; /* NULL: not given */
+    const char *timeline, *kanata, *timeline_svg;
     char own_json[4200];                                  /* where json points if out alone is */
     uint32_t orbit;                                       /* viewpoints, if there is no file */
     uint32_t only;                                        /* the one view to run, or UINT32_MAX */
@@ -97,6 +100,13 @@ typedef struct hs_run_view {
     hs_run_pictures_report *pictures; /* owned; NULL if there are none */
 } hs_run_view;
 
+/* The timelines in work (run_timeline.h). */
+typedef struct hs_run_timelines {
+    hs_file json_file, kanata_file, svg_file;
+    hs_timeline_json json;
+    hs_timeline_kanata kanata;
+} hs_run_timelines;
+
 typedef struct hs_run {
     const hs_run_request *request;
     hs_mesh mesh;
@@ -105,7 +115,8 @@ typedef struct hs_run {
     hs_golden *golden;
     hs_model *model; /* NULL unless named, as the next ones */
     hs_rtl *rtl;
-    hs_log model_log, rtl_log; /* in use if both are */
+    hs_log model_log, rtl_log; /* in use if both are, or if a timeline is wanted */
+    hs_run_timelines timelines;
     hs_run_pictures *pictures; /* NULL unless there is a folder */
     int folder_lock;           /* on the folder; -1: none */
     hs_progress progress;

@@ -10,6 +10,7 @@
 #include "file.h"
 #include "obj.h"
 #include "run.h"
+#include "run_timeline.h"
 #include "wave_file.h"
 
 /* What lives only as long as the view is in work. */
@@ -80,13 +81,19 @@ static bool compares_cycles(const work *w) {
     return wants(w, HS_ENGINE_model) && wants(w, HS_ENGINE_rtl);
 }
 
+/* The log that a timed engine is to fill, or NULL. */
+static hs_log *log_of(work *w, enum hs_engine engine) {
+    hs_run *run = w->run;
+    if (!compares_cycles(w) && !hs_run_timelines_wanted(run->request)) return NULL;
+    return engine == HS_ENGINE_rtl ? &run->rtl_log : &run->model_log;
+}
+
 static bool run_model(work *w, hs_error *err) {
     hs_golden_report ignored;
     hs_run *run = w->run;
     const double start = hs_seconds();
     if (!hs_model_run(run->model, &w->in, run->request->stalls, &w->packet[HS_ENGINE_model],
-                      &ignored, &w->view->cycles[HS_ENGINE_model],
-                      compares_cycles(w) ? &run->model_log : NULL, err))
+                      &ignored, &w->view->cycles[HS_ENGINE_model], log_of(w, HS_ENGINE_model), err))
         return false;
     w->view->engine[HS_ENGINE_model].seconds = hs_seconds() - start;
     measure_latency(w, HS_ENGINE_model);
@@ -105,7 +112,7 @@ static bool run_rtl(work *w, hs_error *err) {
     if (request->wave && !hs_wave_start(&wave, request->wave, w->run->rtl,
                                         now + request->wave_first, now + request->wave_last, err))
         return false;
-    hs_rtl_log(w->run->rtl, compares_cycles(w) ? &w->run->rtl_log : NULL);
+    hs_rtl_log(w->run->rtl, log_of(w, HS_ENGINE_rtl));
     const double start = hs_seconds();
     const bool good = hs_rtl_run(w->run->rtl, &w->in, request->stalls, &w->packet[HS_ENGINE_rtl],
                                  &w->view->cycles[HS_ENGINE_rtl], err);
@@ -329,6 +336,14 @@ static bool write_folder(work *w, hs_error *err) {
     return true;
 }
 
+/* The rtl's timeline, or without it the model's. */
+static bool write_timelines(work *w, hs_error *err) {
+    const enum hs_engine engine = wants(w, HS_ENGINE_rtl) ? HS_ENGINE_rtl : HS_ENGINE_model;
+    return !hs_run_timelines_wanted(w->run->request) ||
+           hs_run_timelines_view(w->run, w->view->number, w->golden.status, log_of(w, engine),
+                                 &w->view->cycles[engine], err);
+}
+
 /* --- One view -----------------------------------------------------------------------------------
  */
 
@@ -346,6 +361,7 @@ static bool work_on(work *w, hs_error *err) {
         return false;
     if (wants(w, HS_ENGINE_rtl) && !run_rtl(w, err)) return false;
     if (compares_cycles(w)) compare_cycles(w);
+    if (!write_timelines(w, err)) return false;
     if (!compare_pipelines(w)) {
         /* What differs may be no packet at all; what it counts is told all the same. */
         hs_error ignored;

@@ -129,6 +129,7 @@ static void a_wrong_value_says_what_would_be_right(void **state) {
     expect(HS_EXIT_USAGE, "run shape:cube --orbit 2 --views x", "exclude each other");
     expect(HS_EXIT_USAGE, "run shape:cube --orbit 2 --view 2", "there are views 0 to 1");
     expect(HS_EXIT_USAGE, "run shape:cube --orbit 2 --wave @/w.fst", "choose it with --view");
+    expect(HS_EXIT_USAGE, "run shape:cube --orbit 2 --timeline-svg @/t", "choose it with --view");
     expect(HS_EXIT_USAGE, "run shape:cube --max-quads 16777216", "exceed the RTL's capacity");
     expect(HS_EXIT_USAGE, "run shape:grid:99999", "grid");
     expect(HS_EXIT_USAGE, "run shape:grid:4:1:1", "shape:NAME[:SIZE[:SEED]]");
@@ -161,6 +162,8 @@ static void an_option_that_does_nothing_is_refused(void **state) {
     expect(HS_EXIT_USAGE, "run shape:cube --min-edge-px x", "0.0625 to 4095");
     expect(HS_EXIT_USAGE, "run shape:cube --engine golden --orbit 1 --wave @/w.fst", "add rtl");
     expect(HS_EXIT_USAGE, "run shape:cube --orbit 1 --wave-cycles 1:2", "needs --wave FILE");
+    expect(HS_EXIT_USAGE, "run shape:cube --engine golden --timeline @/t", "add model or rtl");
+    expect(HS_EXIT_USAGE, "run shape:cube --json - --kanata -", "only one of");
     expect(HS_EXIT_USAGE, "run shape:cube --orbit 1 --wave @/w.fst --wave-cycles 2:1",
            "FIRST:LAST");
     expect(HS_EXIT_USAGE, "run shape:cube --views=", "--views is empty; give it FILE");
@@ -242,6 +245,7 @@ static void an_unwritable_place_is_named_before_the_work_begins(void **state) {
     expect(HS_EXIT_FILE, "run shape:cube --json @/none/x.json", "none/x.json");
     assert_null(strstr(output, "view "));
     expect(HS_EXIT_FILE, "run shape:cube --wave @/none/x.fst", "none/x.fst");
+    expect(HS_EXIT_FILE, "run shape:cube --kanata @/none/x.log", "none/x.log");
     expect(HS_EXIT_FILE, "mesh make cube -o @/none/x.obj", "none/x.obj");
     assert_int_equal(count_entries(&place), 1);
 }
@@ -414,6 +418,36 @@ static void a_waveform_is_written_for_the_cycles_asked_for(void **state) {
 /* --- Meshes
  * --------------------------------------------------------------------------------------- */
 
+static void timelines_are_the_same_from_either_engine(void **state) {
+    (void)state;
+    static const char *const engine[] = {"rtl", "model", "golden,model,rtl"};
+    char line[400];
+    for (int i = 0; i < 3; i++) {
+        snprintf(
+            line, sizeof line,
+            "run shape:cube --orbit 3 --front 2 --silhouette 4 --engine %s --timeline @/%d.json "
+            "--kanata @/%d.log",
+            engine[i], i, i);
+        expect(HS_EXIT_OK, line, "timeline: ");
+    }
+    snprintf(
+        line, sizeof line,
+        "cd %s && cmp 0.json 1.json && cmp 0.log 1.log && cmp 1.json 2.json && cmp 1.log 2.log",
+        place.path);
+    assert_int_equal(system(line), 0);
+    json_t *trace = read_json("0.json");
+    assert_true(json_array_size(at(trace, "traceEvents")) > 100);
+    json_decref(trace);
+    expect(HS_EXIT_OK,
+           "run shape:cube --engine model --timeline - >@/t.json 2>@/table && cat @/table",
+           " done\n");
+    json_decref(read_json("t.json"));
+    expect(HS_EXIT_OK,
+           "run shape:cube --orbit 2 --view 1 --engine model --timeline-svg @/t.svg && head -1 "
+           "@/t.svg",
+           "<svg ");
+}
+
 static void a_mesh_goes_out_and_comes_back_bit_for_bit(void **state) {
     (void)state;
     expect(HS_EXIT_OK, "mesh make random --size 60 --seed 3 -o @/a.obj", "faces");
@@ -562,6 +596,7 @@ int main(void) {
         TEST(forced_faces_are_refined_where_the_view_sees_nothing),
         TEST(stalls_change_the_cycles_and_not_a_word),
         TEST(a_waveform_is_written_for_the_cycles_asked_for),
+        TEST(timelines_are_the_same_from_either_engine),
         TEST(a_mesh_goes_out_and_comes_back_bit_for_bit),
         TEST(every_trace_is_what_it_was_and_can_be_made_again),
         TEST(a_trace_that_is_not_as_expected_says_what_differs),

@@ -33,6 +33,8 @@ static const struct writer {
     {"trace", "cp ~/traces/cube-4-8/trace.txt @/o && exec ~/build/halfstep trace make @/o"},
     {"mesh", "exec ~/build/halfstep mesh make random --size 2000 -o @/o/random.obj"},
     {"convert", "exec ~/build/halfstep convert shape:torus --quiet -o @/o/torus.gltf"},
+    {"timeline", "exec ~/build/halfstep run shape:cube --orbit 2 --engine model --quiet "
+                 "--timeline @/o/t.json --kanata @/o/t.log"},
 };
 enum { WRITERS = sizeof writers / sizeof *writers };
 
