@@ -89,7 +89,8 @@ test: $(BUILD)/halfstep $(TESTS) ## all tests; logs in build/test-logs
 # The tests that are C alone, in a build of their own. OSMesa keeps some memory for good.
 SANITIZER := -fsanitize=address,undefined -fno-sanitize-recover=undefined
 SANITIZED := golden golden_rules golden_hostile memory mesh obj file stream frame view shape picture render \
-             reference reference_creases reference_limit reference_replay report report_mesh convert timeline fuzz
+             reference reference_creases reference_limit reference_replay report report_mesh convert timeline \
+             timeline_files fuzz
 sanitize: ## the tests of the C code under ASan and UBSan
 	+@$(MAKE) BUILD=$(BUILD)/sanitize CC="gcc $(SANITIZER)" CXX="g++ $(SANITIZER)" OPT=-O1 sanitized
 .PHONY: sanitize sanitized

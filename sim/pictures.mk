@@ -23,6 +23,8 @@ pictures: $(BUILD)/halfstep ## docs/pictures/*.png, the pictures of README.md an
 	$(PICTURE) shape:die:3 --views docs/pictures/die.txt --size 300x300 -o docs/pictures/die-2.png
 	$(PICTURE) shape:die:11 --views docs/pictures/die.txt --size 300x300 \
 	    -o docs/pictures/die-for-ever.png
+	mkdir -p docs/figures
+	$(BUILD)/halfstep run shape:hand --engine model --quiet --timeline-svg docs/figures/timeline.svg >/dev/null
 
 # The paper's figure 12: the same surfaces by a ray tracer, with shadows.
 POV := hand monster die

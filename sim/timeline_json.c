@@ -8,7 +8,7 @@
  *
  * Counters: what waits at each boundary, and what each stage did, in per cent of the cycles of a
  * bucket. Events of a file are in the order of time; of those that begin together, that of the
- * longer slice is first, so that slices nest as they are read.
+ * longer slice is first, since runs are made before their waits: slices nest as they are read.
  */
 #include <jansson.h>
 #include <stdlib.h>
@@ -22,8 +22,8 @@ enum { PROCESS = 1, TRACK_VIEWS = 10, TRACK_GENERATIONS = 11, TRACK_STAGES = 12 
  */
 
 typedef struct event {
-    uint64_t at, length; /* length 0: a counter */
-    uint32_t number;     /* in the order in which they were made */
+    uint64_t at;
+    uint32_t number; /* in the order in which they were made */
     json_t *json;
 } event;
 
@@ -33,7 +33,7 @@ typedef struct events {
     bool exhausted;
 } events;
 
-static void add(events *e, uint64_t at, uint64_t length, json_t *json) {
+static void add(events *e, uint64_t at, json_t *json) {
     if (e->count == e->room) {
         const size_t room = e->room ? 2 * e->room : 1024;
         event *more = hs_reallocate(e->event, room * sizeof *more);
@@ -47,7 +47,7 @@ static void add(events *e, uint64_t at, uint64_t length, json_t *json) {
         e->exhausted = true;
         return;
     }
-    e->event[e->count] = (event){at, length, (uint32_t)e->count, json};
+    e->event[e->count] = (event){at, (uint32_t)e->count, json};
     e->count++;
 }
 
@@ -59,14 +59,14 @@ static void add_slice(events *e, uint32_t track, const char *name, uint64_t begi
         json_decref(args);
         return;
     }
-    add(e, begin + offset, length,
+    add(e, begin + offset,
         json_pack("{s:s,s:s,s:i,s:i,s:I,s:I,s:o}", "name", name, "ph", "X", "pid", PROCESS, "tid",
                   (int)track, "ts", (json_int_t)(begin + offset), "dur", (json_int_t)length, "args",
                   args));
 }
 
 static void add_counter(events *e, const char *name, uint64_t at, json_t *args) {
-    add(e, at, 0,
+    add(e, at,
         json_pack("{s:s,s:s,s:i,s:I,s:o}", "name", name, "ph", "C", "pid", PROCESS, "ts",
                   (json_int_t)at, "args", args));
 }
@@ -74,7 +74,6 @@ static void add_counter(events *e, const char *name, uint64_t at, json_t *args) 
 static int by_time(const void *a, const void *b) {
     const event *x = a, *y = b;
     if (x->at != y->at) return x->at < y->at ? -1 : 1;
-    if (x->length != y->length) return x->length > y->length ? -1 : 1;
     return x->number < y->number ? -1 : 1;
 }
 
@@ -204,8 +203,8 @@ static json_t *metadata(const char *what, uint32_t track, const char *key, json_
 }
 
 static void name_track(events *e, uint32_t track, const char *name) {
-    add(e, 0, 0, metadata("thread_name", track, "name", json_string(name)));
-    add(e, 0, 0, metadata("thread_sort_index", track, "sort_index", json_integer(track)));
+    add(e, 0, metadata("thread_name", track, "name", json_string(name)));
+    add(e, 0, metadata("thread_sort_index", track, "sort_index", json_integer(track)));
 }
 
 bool hs_timeline_json_begin(hs_timeline_json *json, FILE *file, const char *title,

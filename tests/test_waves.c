@@ -80,24 +80,48 @@ typedef struct change {
     unsigned value;
 } change;
 
-/* The changes of a signal of the sequencer, whose name occurs there alone. */
-static uint32_t read_changes(const char *path, const char *name, change *all, uint32_t most) {
-    char line[4000], code[20] = "", want[40];
+/* The changes of a signal that is named below a module. Returns how many; *first: the file's first
+ * time. */
+static uint32_t read_changes(const char *path, const char *module, const char *name, change *all,
+                             uint32_t most, uint64_t *first) {
+    char line[4000], code[20] = "", scope[30][60], word[60], id[20];
     uint64_t time = 0;
     uint32_t count = 0;
+    int depth = 0;
     FILE *file = fopen(path, "r");
     assert_non_null(file);
-    snprintf(want, sizeof want, " %s ", name);
+    *first = UINT64_MAX;
     while (fgets(line, sizeof line, file) && count < most) {
-        char value[64], which[20];
-        if (strncmp(line, "$var", 4) == 0 && strstr(line, want))
-            assert_int_equal(sscanf(line, "$var %*s %*u %19s", code), 1);
-        if (line[0] == '#') time = strtoull(line + 1, NULL, 10);
-        if (*code && sscanf(line, "b%63s %19s", value, which) == 2 && strcmp(which, code) == 0)
-            all[count++] = (change){time, (unsigned)strtoul(value, NULL, 2)};
+        if (sscanf(line, "$scope %*s %59s", word) == 1) {
+            assert_true(depth < 30);
+            strcpy(scope[depth++], word);
+        } else if (strncmp(line, "$upscope", 8) == 0) {
+            depth--;
+        } else if (sscanf(line, "$var %*s %*u %19s %59s", id, word) == 2) {
+            if (strcmp(word, name) == 0 && strcmp(scope[depth - 1], module) == 0) strcpy(code, id);
+        } else if (line[0] == '#') {
+            time = strtoull(line + 1, NULL, 10);
+            if (*first == UINT64_MAX) *first = time;
+        } else if (sscanf(line, "b%59s %19s", word, id) == 2 && *code && strcmp(id, code) == 0) {
+            all[count++] = (change){time, (unsigned)strtoul(word, NULL, 2)};
+        }
     }
     fclose(file);
+    assert_true(*code);
     return count;
+}
+
+static unsigned value_at(const change *all, uint32_t count, uint64_t time) {
+    unsigned value = 0;
+    for (uint32_t i = 0; i < count && all[i].time <= time; i++)
+        value = all[i].value;
+    return value;
+}
+
+static bool cannot_read_waves(void) {
+    if (system("command -v fst2vcd >/dev/null") == 0) return false;
+    print_message("skipped: GTKWave's fst2vcd is not here; make waves installs it\n");
+    return true;
 }
 
 /* Whether a VCD file has a variable, by the path that the save file gives. */
@@ -109,10 +133,7 @@ static bool has_variable(const char *variables, const char *path) {
 
 static void the_save_file_shows_what_the_waveform_has(void **state) {
     (void)state;
-    if (system("command -v fst2vcd >/dev/null") != 0) {
-        print_message("skipped: GTKWave's fst2vcd is not here; make waves installs it\n");
-        skip();
-    }
+    if (cannot_read_waves()) skip();
     uint8_t *save, *variables;
     size_t size;
     hs_error err;
@@ -129,8 +150,9 @@ static void the_save_file_shows_what_the_waveform_has(void **state) {
         "");
     /* The sequencer enters CLASSIFY, the second of its states, where the first marker stands. */
     static change states[2000];
-    const uint32_t count = read_changes(inside(&place, "w.vcd"), "state_q", states, 2000);
-    uint64_t entered = 0;
+    uint64_t entered = 0, first;
+    const uint32_t count =
+        read_changes(inside(&place, "w.vcd"), "u_sequencer", "state_q", states, 2000, &first);
     for (uint32_t i = 1; i < count && !entered; i++)
         if (states[i].value == 1) entered = states[i].time;
     assert_true(entered > 0);
@@ -159,6 +181,47 @@ static void the_save_file_shows_what_the_waveform_has(void **state) {
     free(variables);
 }
 
+/* A view of less than 1024 cycles: each bucket of the timeline is one. A cycle's registers are
+ * those at its beginning, 10 units of time apart. */
+static void the_fifo_before_emit_is_as_full_as_the_timeline_says(void **state) {
+    (void)state;
+    if (cannot_read_waves()) skip();
+    expect_line(0,
+                "build/halfstep run shape:grid:5 --boundary kept --front 1 --silhouette 2 --quiet "
+                "--engine rtl --stalls 0,60 --wave @/w.fst --timeline @/t.json >@/out && "
+                "fst2vcd @/w.fst >@/w.vcd",
+                "");
+    static change groups[2000], ops[2000];
+    uint64_t first;
+    const char *vcd = inside(&place, "w.vcd");
+    const uint32_t group_count = read_changes(vcd, "u_groups", "level_o", groups, 2000, &first);
+    const uint32_t op_count = read_changes(vcd, "u_ops", "level_o", ops, 2000, &first);
+    unsigned told[1024] = {0}, most = 0;
+    json_int_t from = 0, end = 0;
+    size_t i;
+    json_t *event, *root = json_load_file(inside(&place, "t.json"), 0, NULL);
+    assert_non_null(root);
+    json_array_foreach(json_object_get(root, "traceEvents"), i, event) {
+        const json_int_t ts = json_integer_value(json_object_get(event, "ts"));
+        const json_t *args = json_object_get(event, "args");
+        const char *name = json_string_value(json_object_get(event, "name"));
+        if (strcmp(name, "view 0") == 0)
+            end = ts + json_integer_value(json_object_get(event, "dur"));
+        if (strcmp(name, "fill: FIFO before emit") != 0) continue;
+        for (from = ts; from < 1024; from++)
+            told[from] = (unsigned)json_integer_value(json_object_get(args, "most"));
+    }
+    json_decref(root);
+    assert_in_range(end, 100, 1023);
+    for (uint64_t c = 0; c < (uint64_t)end; c++) {
+        const uint64_t time = first - first % 10 + 10 * c + 5;
+        const unsigned level = value_at(groups, group_count, time) + value_at(ops, op_count, time);
+        if (told[c] != level) fail_msg("cycle %d: %u, told are %u", (int)c, level, told[c]);
+        if (level > most) most = level;
+    }
+    assert_true(most > 2);
+}
+
 #define TEST(name) cmocka_unit_test_setup_teardown(name, new_place, leave_place)
 
 int main(void) {
@@ -167,6 +230,7 @@ int main(void) {
         TEST(what_makes_no_window_is_said),
         TEST(the_filters_make_numbers),
         TEST(the_save_file_shows_what_the_waveform_has),
+        TEST(the_fifo_before_emit_is_as_full_as_the_timeline_says),
     };
     return cmocka_run_group_tests_name("waves", tests, NULL, NULL);
 }
