@@ -12,13 +12,16 @@ COVERAGE_TREE := $(COVERAGE)/tree
 COVERAGE_ALONE := $(UNITS) fp receive receive_hostile rtl rtl_hostile rtl_surface rtl_throughput smallest
 COVERAGE_C := $(filter-out $(COVERAGE_ALONE:%=$(BUILD)/test_%),$(TESTS))
 
-# --- The RTL: tests of single modules, and the pipeline in two architectures. Its capacity is small, so that
+# --- The RTL: tests of single modules, the pipeline in two architectures, hostile packets, flipped bits. Its
+# capacity is small, so that
 # few views reach every bit of an index. What names all points, once, are functions of 100,000 lines: not optimized.
 # Modules that have tests of their own are left out of it.
 COVERAGE_RTL := $(COVERAGE)/rtl
 COVERAGE_CAPACITY := 1024 2048
 COVERAGE_UNITS := $(UNITS:%=test_%) test_fp test_receive test_receive_hostile
-COVERAGE_PIPELINES := parity parity-smallest
+COVERAGE_PIPELINES := parity parity-smallest test_rtl_hostile test_protection
+# Verilator splits and reorders blocks: counts then stand behind what changes their conditions.
+COVERAGE_VERILATE = $(VERILATE) --coverage-line --coverage-toggle -fno-split -fno-reorder
 
 .PHONY: coverage
 coverage: $(COVERAGE_C) $(BUILD)/halfstep $(BUILD)/libsim.a $(BUILD)/tests/parity.o ## lines, branches and toggles that the tests cover: out/coverage.md
@@ -32,7 +35,7 @@ coverage: $(COVERAGE_C) $(BUILD)/halfstep $(BUILD)/libsim.a $(BUILD)/tests/parit
 	+@$(MAKE) -s -C $(COVERAGE_TREE) BUILD=build CC="gcc --coverage -fprofile-update=atomic" CXX="g++ --coverage" OPT=-O0 \
 	    build/halfstep $(COVERAGE_C:$(BUILD)/%=build/%)
 	@echo "building the RTL with coverage of lines and toggles"
-	+@$(MAKE) -s BUILD=$(COVERAGE_RTL) VERILATE="$(VERILATE) --coverage-line --coverage-toggle" RTL_OPT=-O1 RTL_OPT_SLOW=-O0 \
+	+@$(MAKE) -s BUILD=$(COVERAGE_RTL) VERILATE="$(COVERAGE_VERILATE)" RTL_OPT=-O1 RTL_OPT_SLOW=-O0 \
 	    CXXFLAGS="$(CXXFLAGS) -DVM_COVERAGE=1" \
 	    PIPELINE="tests/coverage/elsewhere.vlt -GVERTICES=$(word 1,$(COVERAGE_CAPACITY)) -GQUADS=$(word 2,$(COVERAGE_CAPACITY)) $(PIPELINE)" \
 	    $(addprefix $(COVERAGE_RTL)/,$(COVERAGE_UNITS) $(COVERAGE_PIPELINES))
