@@ -31,8 +31,8 @@ BROWSED := $(BUILD)/report-test
 test-report: $(BUILD)/halfstep $(PAGE)/template.html ## the report's page in a browser: Chromium, drags, sliders, widths, themes
 	@$(call INSTALL,chromium)
 	@rm -rf $(BROWSED) && mkdir -p $(BROWSED)
-	@$(BUILD)/halfstep run shape:hand --orbit 4 --front 2 --silhouette 4 --size 240x240 --quiet --out $(BROWSED)/run >/dev/null
+	@$(BUILD)/halfstep run shape:hand --orbit 4 --front 1 --silhouette 3 --size 240x240 --quiet --out $(BROWSED)/run >/dev/null
 	@$(BUILD)/halfstep explore shape:die --orbit 2 --set banks=2,8 --set lanes=2,8 --set views=1,2 --out $(BROWSED)/explore --quiet >/dev/null
 	@$(BUILD)/halfstep run shape:die --engine model --quiet --json $(BROWSED)/die.json >/dev/null
 	@$(BUILD)/halfstep report $(BROWSED)/run --explore $(BROWSED)/explore --with $(BROWSED)/die.json --quiet
-	@cd $(PAGE) && timeout 180 node $(abspath tests/report_browser.mjs) $(abspath $(BROWSED))/run/report.html $(abspath $(BROWSED))
+	@cd $(PAGE) && timeout 400 node $(abspath tests/report_browser.mjs) $(abspath $(BROWSED))/run/report.html $(abspath $(BROWSED))

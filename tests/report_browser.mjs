@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The page of halfstep report in a browser, opened from disk: node report_browser.mjs REPORT.html FOLDER. Playwright's
-// package must be in the folder that it runs in. Screenshots go to FOLDER. Closes with "N passed, N failed".
+// package must be in the folder that it runs in. Screenshots of whole pages go to FOLDER. Closes with "N passed, N failed".
 import { createRequire } from 'node:module';
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
@@ -230,7 +230,7 @@ test('the Pareto front is that of the exploration', async (page) => {
   await settle(page);
 });
 
-test('it reads well in each width and theme: nothing scrolls sideways', async (_, screenshots = true) => {
+test('it reads well in each width and theme: nothing scrolls sideways', async () => {
   for (const width of [1440, 800, 390])
     for (const colorScheme of ['light', 'dark']) {
       const page = await open({ viewport: { width, height: 900 }, colorScheme, isMobile: width < 500, hasTouch: width < 500 });
@@ -238,7 +238,7 @@ test('it reads well in each width and theme: nothing scrolls sideways', async (_
       assert.ok(scroll <= client && client <= width, `${scroll} pixels at ${width}`);
       const wide = await page.evaluate(() => [...document.querySelectorAll('#page *')].filter((e) => e.getBoundingClientRect().right > innerWidth + 1).map((e) => e.tagName + e.className).slice(0, 5));
       assert.deepEqual(wide, [], `at ${width}`);
-      if (screenshots) await page.screenshot({ path: join(folder, `${width}-${colorScheme}.png`), fullPage: true });
+      await page.screenshot({ path: join(folder, `${width}-${colorScheme}.png`), fullPage: true });
       assert.deepEqual(page.wrong, []);
       await page.context().close();
     }
