@@ -75,8 +75,8 @@ static inline void take(taken *v, const sample *s, uint32_t number) {
     hs_views views;
     hs_error err = {0};
     *v = (taken){.config = HS_DEFAULT_CONFIG};
-    if (s->slow == 1) v->config = (hs_model_config){1, 2, 2, 1, 3, 16, 1, 1};
-    if (s->slow == 2) v->config = (hs_model_config){4, 16, 32, 16, 1, 64, 1, 1};
+    if (s->slow == 1) v->config = (hs_model_config){1, 2, 2, 1, 3, 16, 1, 1, HS_DEFAULT_LIMITS};
+    if (s->slow == 2) v->config = (hs_model_config){4, 16, 32, 16, 1, 64, 1, 1, HS_DEFAULT_LIMITS};
     v->model = hs_model_new(s->limits.quads ? s->limits : HS_DEFAULT_LIMITS, v->config, &err);
     assert_non_null(v->model);
     assert_true(hs_shape_make(&mesh, s->shape, s->size, 1, &err));
