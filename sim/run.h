@@ -41,12 +41,12 @@ bool hs_engines_parse(const char *list, uint32_t *engines, hs_error *err);
 typedef struct hs_run_request {
     const char *mesh, *views, *force, *out, *json, *wave; /* NULL: not given */
     const char *timeline, *kanata, *timeline_svg;
-    char own_json[4200];                                  /* where json points if out alone is */
-    uint32_t orbit;                                       /* viewpoints, if there is no file */
-    uint32_t only;                                        /* the one view to run, or UINT32_MAX */
-    uint32_t width, height;                               /* pixels */
-    uint32_t engines;                                     /* bits 1 << engine */
-    uint32_t reference_levels;                            /* of the pictures' reference surface */
+    char own_json[4200];       /* where json points if out alone is */
+    uint32_t orbit;            /* viewpoints, if there is no file */
+    uint32_t only;             /* the one view to run, or UINT32_MAX */
+    uint32_t width, height;    /* pixels */
+    uint32_t engines;          /* bits 1 << engine */
+    uint32_t reference_levels; /* of the pictures' reference surface */
     hs_settings settings;
     hs_limits limits;
     hs_stalls stalls;
