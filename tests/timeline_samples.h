@@ -18,7 +18,7 @@ typedef struct sample {
     hs_stalls stalls;
     uint32_t spoilt;  /* this word of the packet is wrong, from the end; 0: none */
     hs_limits limits; /* 0: the default */
-    uint32_t slow;    /* 1: a small architecture, 2: a large one */
+    enum { USUAL, SMALL, LARGE } machine;
 } sample;
 
 #define VIEW(f, s, g)                                                                              \
@@ -49,9 +49,9 @@ static const sample samples[] = {
                   .limit = true,
                   .boundary = HS_BOUNDARY_EDGE_ONLY}},
     {.shape = "torus", .settings = {.uniform = true, .uniform_depth = 3, .limit = true}},
-    {.shape = "mixed", .settings = VIEW(3, 5, true), .slow = 1},
-    {.shape = "torus", .settings = VIEW(2, 4, false), .slow = 1, .stalls = {5, 0, 70}},
-    {.shape = "mixed", .settings = ALL(5), .slow = 2},
+    {.shape = "mixed", .settings = VIEW(3, 5, true), .machine = SMALL},
+    {.shape = "torus", .settings = VIEW(2, 4, false), .machine = SMALL, .stalls = {5, 0, 70}},
+    {.shape = "mixed", .settings = ALL(5), .machine = LARGE},
     {.shape = "torus", .settings = VIEW(4, 8, true), .limits = {2000, 1500}},
     {.shape = "cube", .settings = VIEW(4, 8, true), .spoilt = 1},
     {.shape = "cube", .settings = VIEW(4, 8, true), .spoilt = 7},
@@ -75,8 +75,16 @@ static inline void take(taken *v, const sample *s, uint32_t number) {
     hs_views views;
     hs_error err = {0};
     *v = (taken){.config = HS_DEFAULT_CONFIG};
-    if (s->slow == 1) v->config = (hs_model_config){1, 2, 2, 1, 3, 16, 1, 1, HS_DEFAULT_LIMITS};
-    if (s->slow == 2) v->config = (hs_model_config){4, 16, 32, 16, 1, 64, 1, 1, HS_DEFAULT_LIMITS};
+    if (s->machine == SMALL) {
+        v->config.port = v->config.lanes = 1;
+        v->config.banks = v->config.window = 2;
+        v->config.latency = 3;
+    }
+    if (s->machine == LARGE) {
+        v->config.banks = v->config.lanes = 16;
+        v->config.window = 32;
+        v->config.ops = 64;
+    }
     v->model = hs_model_new(s->limits.quads ? s->limits : HS_DEFAULT_LIMITS, v->config, &err);
     assert_non_null(v->model);
     assert_true(hs_shape_make(&mesh, s->shape, s->size, 1, &err));
