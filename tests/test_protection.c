@@ -11,21 +11,30 @@
 
 #include <inttypes.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 #include "strikes.h"
 
+/* HS_CASES=0.1 is a tenth of the flips: for builds that are slow. */
+static uint64_t flips(void) {
+    const char *text = getenv("HS_CASES");
+    const double factor = text ? atof(text) : 1;
+    return factor > 0 && factor < 1 ? (uint64_t)(1000 * factor) : 1000;
+}
+
 static void no_flip_is_silent(void **state) {
     (void)state;
-    const hs_strikes all = hs_strike(1000, 1, true);
+    const uint64_t wanted = flips();
+    const hs_strikes all = hs_strike(wanted, 1, true);
     printf("%" PRIu64 " flips in %u memories: %" PRIu64 " detected, %" PRIu64 " masked\n",
            all.flips, all.memories, all.detected, all.masked);
-    assert_int_equal(all.flips, 1000);
+    assert_int_equal(all.flips, wanted);
     assert_int_equal(all.silent, 0);
     assert_int_equal(all.wrong, 0);
     /* All memories were struck, and many flips mattered. */
     for (uint32_t i = 0; i < all.memories; i++)
         assert_true(all.memory[i].flips > 0);
-    assert_true(all.detected > 50 && all.masked > 50);
+    assert_true(all.detected > wanted / 20 && all.masked > wanted / 20);
 }
 
 int main(void) {
