@@ -54,6 +54,7 @@ bool hs_file_unwritten(const char *path, int cause, hs_error *err) {
  * the next writer of its path. */
 enum { PENDING = 16 };
 static char *_Atomic pending[PENDING];
+static atomic_bool removed; /* the process ends: what another thread has just made goes as well */
 
 static void note_pending(char *name) {
     for (int i = 0; i < PENDING; i++) {
@@ -70,6 +71,7 @@ static void forget_pending(char *name) {
 }
 
 void hs_file_remove_all(void) {
+    atomic_store(&removed, true);
     for (int i = 0; i < PENDING; i++) {
         const char *name = atomic_load(&pending[i]);
         if (name) unlink(name);
@@ -128,10 +130,11 @@ static FILE *open_temporary(hs_file *file) {
             errno = ENOMEM;
             return NULL;
         }
+        note_pending(name); /* before the file is there: a signal may come at any time */
         int descriptor = open(name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
         int cause = errno;
         if (descriptor >= 0) {
-            note_pending(name);
+            if (atomic_load(&removed)) unlink(name);
             const bool held = hold(descriptor);
             FILE *stream = held ? fdopen(descriptor, "wb") : NULL;
             cause = held ? errno : EEXIST;
@@ -141,8 +144,8 @@ static FILE *open_temporary(hs_file *file) {
             }
             close(descriptor);
             unlink(name);
-            forget_pending(name);
         }
+        forget_pending(name);
         free(name);
         errno = cause;
         if (cause != EEXIST) return NULL;
