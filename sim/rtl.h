@@ -61,6 +61,13 @@ uint32_t hs_rtl_architecture(const hs_rtl *rtl);
 /* What its memories hold, as its registers give it. */
 hs_limits hs_rtl_capacity(const hs_rtl *rtl);
 
+/* The configuration of a model that is this RTL's twin. */
+static inline hs_model_config hs_rtl_config(const hs_rtl *rtl) {
+    hs_model_config config = hs_model_config_decode(hs_rtl_architecture(rtl));
+    config.capacity = hs_rtl_capacity(rtl);
+    return config;
+}
+
 /* Cycles simulated since hs_rtl_new. */
 uint64_t hs_rtl_cycle(const hs_rtl *rtl);
 

@@ -10,7 +10,7 @@ bool hs_run_timelines_wanted(const hs_run_request *r) {
 }
 
 static hs_model_config config_of(const hs_run *run) {
-    return run->rtl ? hs_model_config_decode(hs_rtl_architecture(run->rtl)) : HS_DEFAULT_CONFIG;
+    return run->rtl ? hs_rtl_config(run->rtl) : HS_DEFAULT_CONFIG;
 }
 
 /* What ran, in ASCII: jansson takes no text that is not UTF-8, and a file's name may be any bytes.

@@ -242,8 +242,7 @@ static bool check_row(checker *c, const hs_packet *packet, hs_stalls stalls) {
     hs_error err = {0};
     const size_t half = packet->words / 8 * 4;
     if (b->rtl_report.cycles > ROW_CYCLES) return true;
-    hs_flight *flight =
-        hs_flight_new(b->limits, hs_model_config_decode(hs_rtl_architecture(b->rtl)), &err);
+    hs_flight *flight = hs_flight_new(b->limits, hs_rtl_config(b->rtl), &err);
     bool good = flight != NULL;
     for (uint32_t i = 0; i < ROW && good; i++) {
         r.in[i].view = (packet->view + i) & 0xffff;

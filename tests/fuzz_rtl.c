@@ -354,7 +354,7 @@ static void work(uint32_t number, uint64_t streams, uint64_t seed, tally *t) {
     w.random = seed;
     w.rtl = hs_rtl_new(limits, (uint32_t)seed + number, &err);
     quit_on(w.rtl != NULL, &err);
-    const hs_model_config c = hs_model_config_decode(hs_rtl_architecture(w.rtl));
+    const hs_model_config c = hs_rtl_config(w.rtl);
     w.single = c.views == 1;
     w.golden = hs_golden_new(limits);
     w.model = hs_model_new(limits, c, &err);

@@ -131,7 +131,7 @@ int main(int argc, char **argv) {
     hs_limits limits = HS_DEFAULT_LIMITS;
     if (argc > 3) limits = (hs_limits){(uint32_t)atol(argv[2]), (uint32_t)atol(argv[3])};
     bench *b = new_bench(limits, 1);
-    const hs_model_config c = config_of(b->rtl);
+    const hs_model_config c = hs_rtl_config(b->rtl);
     bench before = *b;
     printf("port %u, banks %u, window %u, lanes %u, latency %u, ops %u\n", c.port, c.banks,
            c.window, c.lanes, c.latency, c.ops);

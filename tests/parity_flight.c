@@ -92,7 +92,7 @@ int main(int argc, char **argv) {
     uint64_t random = 17, transactions = 0, simulated = 0, views = 0;
     hs_rtl *rtl = hs_rtl_new(HS_DEFAULT_LIMITS, 1, &err);
     quit_on(rtl != NULL, &err);
-    const hs_model_config c = hs_model_config_decode(hs_rtl_architecture(rtl));
+    const hs_model_config c = hs_rtl_config(rtl);
     hs_flight *flight = hs_flight_new(HS_DEFAULT_LIMITS, c, &err);
     quit_on(flight != NULL, &err);
     hs_golden *golden = hs_golden_new(HS_DEFAULT_LIMITS);

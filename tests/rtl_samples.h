@@ -51,13 +51,6 @@ typedef struct bench {
     void (*spoil)(struct bench *b, const hs_packet *in, hs_stalls stalls);
 } bench;
 
-/* The model's configuration that is the RTL's. */
-static inline hs_model_config config_of(const hs_rtl *rtl) {
-    hs_model_config config = hs_model_config_decode(hs_rtl_architecture(rtl));
-    config.capacity = hs_rtl_capacity(rtl);
-    return config;
-}
-
 static inline bench *new_bench(hs_limits limits, uint32_t seed) {
     hs_error err = {0};
     bench *b = calloc(1, sizeof *b);
@@ -68,7 +61,7 @@ static inline bench *new_bench(hs_limits limits, uint32_t seed) {
     assert_non_null(b->golden);
     b->rtl = hs_rtl_new(limits, seed, &err);
     if (!b->rtl) fail_msg("%s", err.text);
-    b->model = hs_model_new(limits, config_of(b->rtl), &err);
+    b->model = hs_model_new(limits, hs_rtl_config(b->rtl), &err);
     if (!b->model) fail_msg("%s", err.text);
     hs_rtl_log(b->rtl, &b->rtl_log);
     return b;
@@ -82,7 +75,7 @@ static inline void limit_bench(bench *b, hs_limits limits) {
     hs_model_free(b->model);
     b->golden = hs_golden_new(limits);
     assert_non_null(b->golden);
-    b->model = hs_model_new(limits, config_of(b->rtl), &err);
+    b->model = hs_model_new(limits, hs_rtl_config(b->rtl), &err);
     if (!b->model || !hs_rtl_limit(b->rtl, limits, &err)) fail_msg("%s", err.text);
 }
 

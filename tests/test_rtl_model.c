@@ -68,7 +68,7 @@ static void large_faces_and_valences_are_modelled(void **state) {
 static void views_in_a_row_are_modelled(void **state) {
     bench *b = *state;
     enum { ROW = 7 };
-    const hs_model_config config = hs_model_config_decode(hs_rtl_architecture(b->rtl));
+    const hs_model_config config = hs_rtl_config(b->rtl);
     static hs_packet in[ROW], rtl_out[ROW], model_out[ROW];
     static hs_log rtl_log, model_log;
     hs_golden_report report[ROW];
@@ -189,7 +189,7 @@ static void a_counter_off_is_found_and_named(void **state) {
 static void another_architecture_is_another_model(void **state) {
     bench *b = *state;
     hs_error err;
-    const hs_model_config own = hs_model_config_decode(hs_rtl_architecture(b->rtl));
+    const hs_model_config own = hs_rtl_config(b->rtl);
     hs_model_config config[5];
     for (uint32_t i = 0; i < 5; i++)
         config[i] = own;

@@ -61,7 +61,7 @@ static void free_all(text files[FILES]) {
 /* Compares the files of the view that the bench has just run; the bytes of all. */
 static size_t same_files(const bench *b, bool limit, const char *what) {
     static const char *const name[FILES] = {"JSON", "Kanata", "SVG"};
-    const hs_model_config config = hs_model_config_decode(hs_rtl_architecture(b->rtl));
+    const hs_model_config config = hs_rtl_config(b->rtl);
     text rtl[FILES], model[FILES];
     size_t size = 0;
     write_all(rtl, &b->rtl_log, &b->rtl_report, &b->actual, config, limit);
@@ -144,7 +144,7 @@ static void a_cycle_more_is_another_file(void **state) {
     make_shape(&mesh, "cube", 0, 0);
     make_views(&mesh, view);
     assert_same_view(b, 1, &mesh, view[0].matrix, &s, no_stalls, "cube");
-    const hs_model_config config = hs_model_config_decode(hs_rtl_architecture(b->rtl));
+    const hs_model_config config = hs_rtl_config(b->rtl);
     text before[FILES], behind[FILES];
     write_all(before, &b->model_log, &b->model_report, &b->modelled, config, false);
     const size_t last = b->model_log.probe[HS_PROBE_guard_in].count - 1;

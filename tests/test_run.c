@@ -56,6 +56,11 @@ uint32_t hs_rtl_architecture(const hs_rtl *rtl) {
     return 0;
 }
 
+hs_limits hs_rtl_capacity(const hs_rtl *rtl) {
+    (void)rtl;
+    return HS_DEFAULT_LIMITS;
+}
+
 void hs_rtl_log(hs_rtl *rtl, hs_log *log) {
     rtl->log = log;
 }

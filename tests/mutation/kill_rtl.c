@@ -246,7 +246,7 @@ int main(int argc, char **argv) {
     hs_rtl *rtl = hs_rtl_new(capacity, 1, &err);
     if (!rtl) fprintf(stderr, "mutation: %s\n", err.text);
     if (!rtl) return HS_EXIT_DIFFERENT;
-    const hs_model_config config = hs_model_config_decode(hs_rtl_architecture(rtl));
+    const hs_model_config config = hs_rtl_config(rtl);
     const vectors all = make_vectors(capacity, &config, (uint32_t)atoi(argv[2]));
     uint64_t cycles = 0;
     hs_rtl_free(rtl);
