@@ -18,6 +18,30 @@ typedef struct hs_surface_options {
 } hs_surface_options;
 #define HS_SURFACE_DEFAULTS ((hs_surface_options){.front = 4, .silhouette = 8, .guard = 1})
 
+/* Rows of a table of options, for commands that refine a mesh and show or write what came out:
+ * surface is an hs_surface_options, round and force are where --round-sharpness and --force go. */
+/* clang-format off */
+#define HS_REFINED_OPTIONS(surface, round, force)                                                  \
+    {"front", 'f', HS_OPTION_NUMBER, "DEPTH", &(surface).front, 0, HS_MAX_DEPTH,                   \
+     &(surface).front_given, "steps for front faces in view (4)"},                                 \
+    {"silhouette", 's', HS_OPTION_NUMBER, "DEPTH", &(surface).silhouette, 0, HS_MAX_DEPTH,         \
+     &(surface).silhouette_given, "steps for faces at the silhouette (8)"},                        \
+    {"min-edge-px", 0, HS_OPTION_TEXT, "PIXELS", &(surface).min_edge, 0, 0, NULL,                  \
+     "leave faces alone whose edges are all shorter"},                                             \
+    {"boundary", 'b', HS_OPTION_TEXT, "MODE", &(surface).boundary, 0, 0, NULL,                     \
+     "kept, smooth or edge-only (smooth)"},                                                        \
+    {"limit", 0, HS_OPTION_FLAG, NULL, &(surface).limit, 0, 0, NULL,                               \
+     "vertices at their limit positions"},                                                         \
+    {"round-sharpness", 0, HS_OPTION_FLAG, NULL, &(round), 0, 0, NULL,                             \
+     "round fractions of a sharpness, halves up"},                                                 \
+    {"guard", 'g', HS_OPTION_NUMBER, "0|1", &(surface).guard, 0, 1, &(surface).guard_given,        \
+     "refine the ring around selected faces as well (1)"},                                         \
+    {"uniform", 'u', HS_OPTION_NUMBER, "DEPTH", &(surface).uniform, 0, HS_MAX_DEPTH,               \
+     &(surface).uniform_given, "so many steps everywhere, whatever the view shows"},               \
+    {"force", 0, HS_OPTION_TEXT, "FILE", &(force), 0, 0, NULL,                                     \
+     "depths for single faces: lines `FIRST-LAST DEPTH`,\nfaces from 1 as in the mesh"}
+/* clang-format on */
+
 /* Names of the boundary modes, as in "edge-only". */
 const char *hs_boundary_name(hs_boundary boundary);
 
