@@ -102,20 +102,16 @@ static json_t *count_or_null(uint64_t count) {
     return count == HS_NO_CYCLE ? json_null() : json_integer((json_int_t)count);
 }
 
-/* Without memory, *good becomes false. */
-static void put(json_t *object, const char *key, json_t *value, bool *good) {
-    if (json_object_set_new(object, key, value) != 0) *good = false;
-}
-
 static json_t *stages_of(const hs_explore_row *row, bool *good) {
     json_t *stages = json_object();
     for (uint32_t s = 0; s < HS_STAGES; s++) {
         json_t *stage = json_object();
         for (uint32_t a = 0; a < HS_ACTIVITIES; a++)
-            put(stage, hs_activity_name(a),
+            hs_json_set(
+                stage, hs_activity_name(a),
                 json_integer((json_int_t)row->value[HS_EXPLORE_ACTIVITY + s * HS_ACTIVITIES + a]),
                 good);
-        put(stages, hs_stage_name(s), stage, good);
+        hs_json_set(stages, hs_stage_name(s), stage, good);
     }
     return stages;
 }
@@ -126,7 +122,7 @@ static json_t *point_of(const hs_explore_result *r, uint64_t point, uint64_t str
     const hs_model_config config = hs_explore_config(r->space, point);
     json_t *set = json_object();
     for (uint32_t p = 0; p < HS_EXPLORE_NAMES; p++)
-        put(set, hs_explore_name(p), json_integer(hs_explore_value(&config, p)), good);
+        hs_json_set(set, hs_explore_name(p), json_integer(hs_explore_value(&config, p)), good);
     json_t *o = json_pack(
         "{s:o, s:i, s:s, s:I, s:I, s:I, s:f, s:I, s:I, s:f, s:o, s:o, s:I, s:I, s:f, s:f, s:o}",
         "set", set, "view", (int)hs_explore_view(r->space, point), "status",
@@ -140,22 +136,23 @@ static json_t *point_of(const hs_explore_result *r, uint64_t point, uint64_t str
         (json_int_t)hs_model_memory_bits(&config), "bytes_read_per_face",
         bytes_per_face(row, HS_EXPLORE_READ), "bytes_written_per_face",
         bytes_per_face(row, HS_EXPLORE_WRITTEN), "stages", stages_of(row, good));
-    if (r->clock > 0) put(o, "views_per_second", json_real(views_per_second(r, point)), good);
+    if (r->clock > 0)
+        hs_json_set(o, "views_per_second", json_real(views_per_second(r, point)), good);
     return o;
 }
 
 bool hs_explore_write_json(const hs_explore_result *r, const char *path, hs_error *err) {
     json_t *root = json_object(), *points = json_array();
     bool good = true;
-    put(root, "mesh", json_string(r->mesh), &good);
-    if (r->clock > 0) put(root, "clock_mhz", json_real(r->clock), &good);
+    hs_json_set(root, "mesh", json_string(r->mesh), &good);
+    if (r->clock > 0) hs_json_set(root, "clock_mhz", json_real(r->clock), &good);
     const uint64_t views = r->space->views, count = hs_explore_points(r->space);
     for (uint64_t first = 0; first < count; first += views) {
         const uint64_t stream = stream_cycles(r, first);
         for (uint64_t point = first; good && point < first + views; point++)
-            good = json_array_append_new(points, point_of(r, point, stream, &good)) == 0 && good;
+            hs_json_append(points, point_of(r, point, stream, &good), &good);
     }
-    put(root, "points", points, &good);
+    hs_json_set(root, "points", points, &good);
     hs_file file;
     if (!good) hs_fail(err, HS_EXIT_INTERNAL, "%.300s: no memory for it", path);
     good = good && hs_file_create(&file, path, err) &&

@@ -10,6 +10,7 @@
 #include <time.h>
 
 #include "file.h"
+#include "json_file.h"
 #include "report_mesh.h"
 #include "report_pack.h"
 
@@ -29,15 +30,15 @@ enum {
 typedef struct work {
     const hs_report_request *request;
     json_t *notes, *pictures, *meshes;
-    bool exhausted; /* memory; what is made is then incomplete */
+    bool complete; /* memory was there for all that was made */
 } work;
 
 static void set(work *w, json_t *object, const char *key, json_t *value) {
-    if (json_object_set_new(object, key, value) != 0) w->exhausted = true;
+    hs_json_set(object, key, value, &w->complete);
 }
 
 static void append(work *w, json_t *array, json_t *value) {
-    if (json_array_append_new(array, value) != 0) w->exhausted = true;
+    hs_json_append(array, value, &w->complete);
 }
 
 __attribute__((format(printf, 2, 3))) static void note(work *w, const char *format, ...) {
@@ -165,7 +166,7 @@ static json_t *read_image(work *w, const char *path, const char *prefix, size_t 
     json_t *image = NULL;
     if (size >= length && memcmp(bytes, begins, length) == 0) {
         image = hs_base64_json(prefix, bytes, size);
-        if (!image) w->exhausted = true;
+        if (!image) w->complete = false;
     } else {
         note(w, "%.300s: is no picture that a browser would show", path);
     }
@@ -283,13 +284,14 @@ json_t *hs_report_folder(const hs_report_request *request, hs_error *err) {
     work w = {.request = request,
               .notes = json_array(),
               .pictures = json_object(),
-              .meshes = json_object()};
+              .meshes = json_object(),
+              .complete = true};
     json_t *data = json_object();
     bool good = read_all(&w, data, err);
     set(&w, data, "notes", w.notes);
     set(&w, data, "pictures", w.pictures);
     set(&w, data, "meshes", w.meshes);
-    if (good && w.exhausted)
+    if (good && !w.complete)
         good = hs_fail(err, HS_EXIT_INTERNAL, "%.300s: no memory for its report", request->folder);
     if (good) return data;
     json_decref(data);

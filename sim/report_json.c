@@ -9,17 +9,16 @@
 #include "options.h"
 #include "surface_options.h"
 
-/* Jansson's json_*_new return NULL without memory, and setting NULL fails; the report is then
- * incomplete. One flag collects that, so that the code below reads as the report does. */
+/* One flag for all of it, so that the code below reads as the report does. */
 typedef struct report {
-    bool failed;
+    bool complete; /* memory was there for all that was made */
 } report;
 
 static void set(report *r, json_t *object, const char *key, json_t *value) {
-    if (json_object_set_new(object, key, value) != 0) r->failed = true;
+    hs_json_set(object, key, value, &r->complete);
 }
 static void append(report *r, json_t *array, json_t *value) {
-    if (json_array_append_new(array, value) != 0) r->failed = true;
+    hs_json_append(array, value, &r->complete);
 }
 static void set_count(report *r, json_t *object, const char *key, uint64_t value) {
     set(r, object, key, json_integer((json_int_t)value));
@@ -247,7 +246,7 @@ static json_t *view_of(report *r, const hs_run *run, const hs_run_view *view) {
  */
 
 bool hs_report_write(const hs_run *run, hs_error *err) {
-    report r = {false};
+    report r = {.complete = true};
     bool equal = true;
     json_t *root = json_object(), *views = json_array();
     set(&r, root, "versions", versions_of(&r));
@@ -264,8 +263,8 @@ bool hs_report_write(const hs_run *run, hs_error *err) {
     set(&r, root, "views", views);
 
     hs_file file;
-    bool good =
-        !r.failed || hs_fail(err, HS_EXIT_INTERNAL, "%.300s: no memory for it", run->request->json);
+    bool good = r.complete ||
+                hs_fail(err, HS_EXIT_INTERNAL, "%.300s: no memory for it", run->request->json);
     /* Nine digits bring every binary32 back. */
     good = good && hs_file_create(&file, run->request->json, err) &&
            hs_json_commit(root, JSON_INDENT(1) | JSON_REAL_PRECISION(9), &file, err);

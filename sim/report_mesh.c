@@ -8,6 +8,7 @@
 
 #include "decimate.h"
 #include "file.h"
+#include "json_file.h"
 #include "render.h"
 #include "report_pack.h"
 #include "stream.h"
@@ -346,11 +347,11 @@ static json_t *object_of(const work *w) {
     json_t *steps = json_array(), *matrix = json_array(), *edges = json_array();
     bool good = true;
     for (uint32_t k = 0; k <= w->steps; k++)
-        good = json_array_append_new(steps, step_of(&w->step[k], box, k)) == 0 && good;
+        hs_json_append(steps, step_of(&w->step[k], box, k), &good);
     for (int i = 0; i < 16; i++)
-        good = json_array_append_new(matrix, json_real((double)w->matrix[i])) == 0 && good;
+        hs_json_append(matrix, json_real((double)w->matrix[i]), &good);
     for (int i = 0; i < 6; i++)
-        good = json_array_append_new(edges, json_real(box[i])) == 0 && good;
+        hs_json_append(edges, json_real(box[i]), &good);
     json_t *object = json_pack("{s:o, s:o, s:o}", "box", edges, "matrix", matrix, "steps", steps);
     if (good) return object;
     json_decref(object);

@@ -16,6 +16,7 @@
 #include <string.h>
 
 #include "convert_write.h"
+#include "json_file.h"
 #include "options.h"
 
 /* Numbers that the format gives to things. */
@@ -104,18 +105,10 @@ static void write_buffer(FILE *stream, const hs_scene *scene) {
 /* --- The document ------------------------------------------------------------------------------
  */
 
-/* Jansson's functions give NULL without memory, and to add NULL fails; one flag collects that. */
-static void set(bool *good, json_t *object, const char *key, json_t *value) {
-    if (json_object_set_new(object, key, value) != 0) *good = false;
-}
-static void append(bool *good, json_t *array, json_t *value) {
-    if (json_array_append_new(array, value) != 0) *good = false;
-}
-
 static json_t *numbers(bool *good, const double *number, int count) {
     json_t *array = json_array();
     for (int i = 0; i < count; i++)
-        append(good, array, json_real(number[i]));
+        hs_json_append(array, json_real(number[i]), good);
     return array;
 }
 
@@ -128,8 +121,8 @@ static void add_box(bool *good, json_t *accessor, const hs_scene *scene) {
             low[i] = fmin(low[i], x);
             high[i] = fmax(high[i], x);
         }
-    set(good, accessor, "min", numbers(good, low, 3));
-    set(good, accessor, "max", numbers(good, high, 3));
+    hs_json_set(accessor, "min", numbers(good, low, 3), good);
+    hs_json_set(accessor, "max", numbers(good, high, 3), good);
 }
 
 static json_t *accessors(bool *good, const hs_scene *scene) {
@@ -138,9 +131,9 @@ static json_t *accessors(bool *good, const hs_scene *scene) {
         json_t *accessor =
             json_pack("{si si sI ss}", "bufferView", p, "componentType", PART[p].component, "count",
                       (json_int_t)elements(scene, p), "type", PART[p].type);
-        if (p == COLORS) set(good, accessor, "normalized", json_true());
+        if (p == COLORS) hs_json_set(accessor, "normalized", json_true(), good);
         if (p == PLACES) add_box(good, accessor, scene);
-        append(good, array, accessor);
+        hs_json_append(array, accessor, good);
     }
     return array;
 }
@@ -150,10 +143,11 @@ static json_t *buffer_views(bool *good, const hs_scene *scene) {
     size_t offset = 0;
     for (int p = 0; p < parts_of(scene); p++) {
         const size_t bytes = elements(scene, p) * PART[p].bytes;
-        append(good, array,
-               json_pack("{si sI sI si}", "buffer", 0, "byteOffset", (json_int_t)offset,
-                         "byteLength", (json_int_t)bytes, "target",
-                         p == TRIANGLES ? OF_TRIANGLES : OF_VERTICES));
+        hs_json_append(array,
+                       json_pack("{si sI sI si}", "buffer", 0, "byteOffset", (json_int_t)offset,
+                                 "byteLength", (json_int_t)bytes, "target",
+                                 p == TRIANGLES ? OF_TRIANGLES : OF_VERTICES),
+                       good);
         offset += bytes;
     }
     return array;
@@ -163,25 +157,25 @@ static json_t *buffer_views(bool *good, const hs_scene *scene) {
 static json_t *extras(bool *good, const hs_scene *scene) {
     json_t *object =
         json_pack("{ss si}", "space", hs_space_name(scene->space), "deepest", (int)scene->deepest);
-    set(good, object, "view", numbers(good, scene->matrix, 16));
+    hs_json_set(object, "view", numbers(good, scene->matrix, 16), good);
     return object;
 }
 
 static json_t *asset(bool *good, const hs_scene *scene) {
     json_t *object = json_pack("{ss ss}", "version", "2.0", "generator", "halfstep " HS_VERSION);
-    set(good, object, "extras", extras(good, scene));
+    hs_json_set(object, "extras", extras(good, scene), good);
     return object;
 }
 
 static json_t *meshes(bool *good, const hs_scene *scene) {
     json_t *attributes = json_object();
     for (int p = PLACES; p < parts_of(scene); p++)
-        set(good, attributes, PART[p].attribute, json_integer(p));
+        hs_json_set(attributes, PART[p].attribute, json_integer(p), good);
     json_t *primitive = json_pack("{si si}", "indices", TRIANGLES, "material", 0);
-    set(good, primitive, "attributes", attributes);
+    hs_json_set(primitive, "attributes", attributes, good);
     json_t *mesh = json_pack("{s[]}", "primitives"), *array = json_array();
-    append(good, json_object_get(mesh, "primitives"), primitive);
-    append(good, array, mesh);
+    hs_json_append(json_object_get(mesh, "primitives"), primitive, good);
+    hs_json_append(array, mesh, good);
     return array;
 }
 
@@ -189,8 +183,8 @@ static json_t *meshes(bool *good, const hs_scene *scene) {
 static json_t *buffers(bool *good, const hs_scene *scene, const char *uri) {
     json_t *array = json_array();
     json_t *buffer = json_pack("{sI}", "byteLength", (json_int_t)buffer_bytes(scene));
-    if (uri) set(good, buffer, "uri", json_string(uri));
-    append(good, array, buffer);
+    if (uri) hs_json_set(buffer, "uri", json_string(uri), good);
+    hs_json_append(array, buffer, good);
     return array;
 }
 
@@ -213,17 +207,18 @@ static char *text_of(const json_t *document) {
 static char *make_document(const hs_scene *scene, const char *uri) {
     bool good = true;
     json_t *document = json_object();
-    set(&good, document, "asset", asset(&good, scene));
-    set(&good, document, "scene", json_integer(0));
-    set(&good, document, "scenes", json_pack("[{s[i]}]", "nodes", 0));
-    set(&good, document, "nodes", json_pack("[{si ss}]", "mesh", 0, "name", "halfstep"));
-    set(&good, document, "meshes", meshes(&good, scene));
-    set(&good, document, "materials",
-        json_pack("[{ss sb s{sf sf}}]", "name", "depth of refinement", "doubleSided", 1,
-                  "pbrMetallicRoughness", "metallicFactor", 0.0, "roughnessFactor", 0.75));
-    set(&good, document, "accessors", accessors(&good, scene));
-    set(&good, document, "bufferViews", buffer_views(&good, scene));
-    set(&good, document, "buffers", buffers(&good, scene, uri));
+    hs_json_set(document, "asset", asset(&good, scene), &good);
+    hs_json_set(document, "scene", json_integer(0), &good);
+    hs_json_set(document, "scenes", json_pack("[{s[i]}]", "nodes", 0), &good);
+    hs_json_set(document, "nodes", json_pack("[{si ss}]", "mesh", 0, "name", "halfstep"), &good);
+    hs_json_set(document, "meshes", meshes(&good, scene), &good);
+    hs_json_set(document, "materials",
+                json_pack("[{ss sb s{sf sf}}]", "name", "depth of refinement", "doubleSided", 1,
+                          "pbrMetallicRoughness", "metallicFactor", 0.0, "roughnessFactor", 0.75),
+                &good);
+    hs_json_set(document, "accessors", accessors(&good, scene), &good);
+    hs_json_set(document, "bufferViews", buffer_views(&good, scene), &good);
+    hs_json_set(document, "buffers", buffers(&good, scene, uri), &good);
     char *text = good ? text_of(document) : NULL;
     json_decref(document);
     return text;
