@@ -13,6 +13,7 @@
 #include <string.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cmocka.h>
@@ -61,6 +62,26 @@ static void a_file_appears_only_when_it_is_committed(void **state) {
     unlink(link);
     unlink(path);
     assert_int_equal(rmdir(f.path), 0);
+}
+
+/* As a signal's handler has it: another thread may be about to begin a file. */
+static void a_process_that_ends_leaves_no_temporary_file(void **state) {
+    (void)state;
+    folder f = make_folder();
+    const pid_t child = fork();
+    assert_true(child >= 0);
+    if (child == 0) {
+        hs_file before, behind;
+        hs_error err;
+        const bool begun = hs_file_create(&before, inside(&f, "before"), &err);
+        hs_file_remove_all();
+        _exit(!begun || hs_file_create(&behind, inside(&f, "behind"), &err));
+    }
+    int status;
+    assert_int_equal(waitpid(child, &status, 0), child);
+    assert_int_equal(status, 0);
+    assert_int_equal(count_entries(&f), 0);
+    assert_int_equal(remove_folder(&f), 0);
 }
 
 static void a_write_that_fails_leaves_the_old_file(void **state) {
@@ -201,6 +222,7 @@ int main(void) {
         cmocka_unit_test(a_zero_byte_in_a_text_is_named_by_its_line),
         cmocka_unit_test(a_message_has_no_control_characters),
         cmocka_unit_test(a_file_appears_only_when_it_is_committed),
+        cmocka_unit_test(a_process_that_ends_leaves_no_temporary_file),
         cmocka_unit_test(a_write_that_fails_leaves_the_old_file),
         cmocka_unit_test(a_pipe_is_written_to_and_not_replaced),
         cmocka_unit_test(files_that_cannot_be_opened_are_named),
