@@ -11,20 +11,13 @@
 
 #include <inttypes.h>
 #include <stdio.h>
-#include <stdlib.h>
 
+#include "rtl_samples.h"
 #include "strikes.h"
-
-/* HS_CASES=0.1 is a tenth of the flips: for builds that are slow. */
-static uint64_t flips(void) {
-    const char *text = getenv("HS_CASES");
-    const double factor = text ? atof(text) : 1;
-    return factor > 0 && factor < 1 ? (uint64_t)(1000 * factor) : 1000;
-}
 
 static void no_flip_is_silent(void **state) {
     (void)state;
-    const uint64_t wanted = flips();
+    const uint64_t wanted = cases(1000);
     const hs_strikes all = hs_strike(wanted, 1, true);
     printf("%" PRIu64 " flips in %u memories: %" PRIu64 " detected, %" PRIu64 " masked\n",
            all.flips, all.memories, all.detected, all.masked);
