@@ -43,6 +43,21 @@ static inline char *inside(const folder *f, const char *name) {
     return text;
 }
 
+/* A line with the folder in place of each @; it stays until the next one. */
+static inline const char *with_folder(const folder *f, const char *line) {
+    static char text[4000];
+    size_t used = 0;
+    for (const char *c = line; *c; c++) {
+        assert_true(used + sizeof f->path < sizeof text);
+        if (*c == '@')
+            used += (size_t)snprintf(text + used, sizeof text - used, "%s", f->path);
+        else
+            text[used++] = *c;
+    }
+    text[used] = 0;
+    return text;
+}
+
 static inline uint32_t count_entries(const folder *f) {
     uint32_t count = 0;
     DIR *all = opendir(f->path);

@@ -16,12 +16,10 @@ static char output[200000]; /* of the latest command, both streams */
 /* Runs `build/halfstep ARGUMENTS`, a shell's line, and returns its exit code. @ stands for the
  * test's folder. */
 static int halfstep(const char *arguments) {
-    char line[4000] = "timeout 120 build/halfstep ";
-    size_t at = strlen(line);
-    for (const char *c = arguments; *c; c++)
-        at += (size_t)snprintf(line + at, sizeof line - at, *c == '@' ? "%s" : "%.1s",
-                               *c == '@' ? place.path : c);
-    snprintf(line + at, sizeof line - at, " 2>&1");
+    char line[4000];
+    const int length = snprintf(line, sizeof line, "timeout 120 build/halfstep %s 2>&1",
+                                with_folder(&place, arguments));
+    assert_in_range(length, 1, sizeof line - 1);
     FILE *pipe = popen(line, "r");
     assert_non_null(pipe);
     const size_t size = fread(output, 1, sizeof output - 1, pipe);

@@ -35,22 +35,11 @@ static int tear_down(void **state) {
 /* --- Running things ----------------------------------------------------------------------------
  */
 
-/* A line with the test's folder in place of @. */
-static char *expand(const char *line) {
-    static char text[4000];
-    size_t at = 0;
-    for (const char *c = line; *c; c++)
-        at += (size_t)snprintf(text + at, sizeof text - at, *c == '@' ? "%s" : "%.1s",
-                               *c == '@' ? place.path : c);
-    text[at] = 0;
-    return text;
-}
-
 /* `halfstep convert LINE`, its words apart by single blanks, _ for a blank in a word. */
 static int convert(const char *line, hs_error *err) {
     char text[4000], *rest = text, *word[64] = {(char *)"convert", (char *)"--quiet"};
     int words = 2;
-    snprintf(text, sizeof text, "%s", expand(line));
+    snprintf(text, sizeof text, "%s", with_folder(&place, line));
     while ((word[words] = strsep(&rest, " ")) != NULL)
         for (char *c = word[words++]; *c; c++)
             if (*c == '_') *c = ' ';
@@ -72,7 +61,7 @@ static void expect(int code, const char *line, const char *text) {
 }
 
 static int shell(const char *line) {
-    const int status = system(expand(line));
+    const int status = system(with_folder(&place, line));
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 

@@ -23,10 +23,8 @@ static hs_error last;
 static int run(const char *format) {
     char line[1000], *rest = line, *word, *argument[40];
     int count = 0;
-    size_t used = 0;
-    for (const char *c = format; *c && used < sizeof line - 100; c++)
-        used += (size_t)snprintf(line + used, sizeof line - used, "%s",
-                                 *c == '@' ? place.path : (char[2]){*c, 0});
+    const int length = snprintf(line, sizeof line, "%s", with_folder(&place, format));
+    assert_in_range(length, 1, sizeof line - 1);
     while (count < 40 && (word = strsep(&rest, " ")) != NULL)
         argument[count++] = word;
     const int said = open(inside(&place, "said"), O_RDWR | O_CREAT | O_TRUNC, 0666), out = dup(1);

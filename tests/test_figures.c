@@ -351,12 +351,8 @@ static void what_cannot_be_drawn_is_said_and_leaves_no_file(void **state) {
     };
     folder f = make_streams();
     for (size_t i = 0; i < sizeof failures / sizeof *failures; i++) {
-        char line[1000] = "";
-        for (const char *c = failures[i].line; *c; c++)
-            snprintf(line + strlen(line), sizeof line - strlen(line), *c == '@' ? "%s" : "%.1s",
-                     *c == '@' ? f.path : c);
         hs_error err;
-        const int code = render(line, &err);
+        const int code = render(with_folder(&f, failures[i].line), &err);
         if (code != failures[i].code || !strstr(err.text, failures[i].says))
             fail_msg("%s: exit code %d, \"%s\"", failures[i].line, code, err.text);
         assert_int_equal(count_entries(&f), 4);

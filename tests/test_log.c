@@ -63,80 +63,90 @@ static void the_earliest_difference_is_told(void **state) {
     hs_log_free(&b);
 }
 
+/* --- The model's --------------------------------------------------------------------------------
+ */
+
+/* A shape from in front, by the model, with its log. */
+typedef struct modelled {
+    hs_model *model;
+    hs_packet in, out;
+    hs_golden_report report;
+    hs_cycle_report cycles;
+    hs_log log;
+    uint32_t vertices;
+} modelled;
+
+static void run_model(modelled *m, hs_stalls stalls, hs_log *log) {
+    hs_error err;
+    assert_true(hs_model_run(m->model, &m->in, stalls, &m->out, &m->report, &m->cycles, log, &err));
+}
+
+static void take_view(modelled *m, const char *shape, uint32_t size, const hs_settings *settings,
+                      hs_limits capacity, hs_stalls stalls) {
+    hs_mesh mesh;
+    hs_views views;
+    hs_error err;
+    hs_model_config config = HS_DEFAULT_CONFIG;
+    config.capacity = capacity;
+    *m = (modelled){0};
+    assert_true(hs_shape_make(&mesh, shape, size, 1, &err));
+    assert_true(hs_views_orbit(&views, 1, &mesh, 1, &err));
+    assert_true(hs_packet_encode(&m->in, 0, &mesh, views.view[0].matrix, settings, &err));
+    m->vertices = mesh.vertices;
+    hs_views_free(&views);
+    hs_mesh_free(&mesh);
+    m->model = hs_model_new(capacity, config, &err);
+    assert_non_null(m->model);
+    run_model(m, stalls, &m->log);
+}
+
+static void leave_view(modelled *m) {
+    hs_model_free(m->model);
+    hs_log_free(&m->log);
+    hs_packet_free(&m->in);
+    hs_packet_free(&m->out);
+}
+
 /* A cube of 26 vertices whose 48 quads would each get one more: the view stops, and of the new
  * vertices only those that the memories hold are written. */
 static void what_is_beyond_the_memories_is_not_written(void **state) {
     (void)state;
-    hs_mesh mesh;
-    hs_views views;
-    hs_error err;
-    hs_packet in = {0}, out = {0};
-    hs_golden_report report;
-    hs_cycle_report cycles;
-    hs_log log = {0};
-    hs_model_config config = HS_DEFAULT_CONFIG;
-    const hs_settings s = {.front_depth = 4, .silhouette_depth = 4, .guard = true};
-    config.capacity = (hs_limits){32, 256};
-    assert_true(hs_shape_make(&mesh, "cube", 2, 0, &err));
-    assert_true(hs_views_orbit(&views, 1, &mesh, 1, &err));
-    assert_true(hs_packet_encode(&in, 0, &mesh, views.view[0].matrix, &s, &err));
-    hs_model *model = hs_model_new(config.capacity, config, &err);
-    assert_non_null(model);
-    assert_true(hs_model_run(model, &in, (hs_stalls){0}, &out, &report, &cycles, &log, &err));
-    const size_t written = log.probe[HS_PROBE_guard_new].count;
-    assert_int_equal(written, config.capacity.vertices - mesh.vertices);
+    const hs_settings settings = {.front_depth = 4, .silhouette_depth = 4, .guard = true};
+    const hs_limits capacity = {32, 256};
+    modelled m;
+    take_view(&m, "cube", 2, &settings, capacity, (hs_stalls){0});
+    const size_t written = m.log.probe[HS_PROBE_guard_new].count;
+    assert_int_equal(written, capacity.vertices - m.vertices);
     for (size_t i = 0; i < written; i++)
-        assert_int_equal(log.probe[HS_PROBE_guard_new].transaction[i].item, mesh.vertices + i);
-    for (size_t i = 0; i < log.probe[HS_PROBE_guard_out].count; i++)
-        assert_true(log.probe[HS_PROBE_guard_out].transaction[i].word[2] <
-                    config.capacity.vertices);
-    assert_true(log.probe[HS_PROBE_guard_out].count > config.capacity.vertices);
-    hs_model_free(model);
-    hs_log_free(&log);
-    hs_packet_free(&in);
-    hs_packet_free(&out);
-    hs_views_free(&views);
-    hs_mesh_free(&mesh);
+        assert_int_equal(m.log.probe[HS_PROBE_guard_new].transaction[i].item, m.vertices + i);
+    for (size_t i = 0; i < m.log.probe[HS_PROBE_guard_out].count; i++)
+        assert_true(m.log.probe[HS_PROBE_guard_out].transaction[i].word[2] < capacity.vertices);
+    assert_true(m.log.probe[HS_PROBE_guard_out].count > capacity.vertices);
+    leave_view(&m);
 }
 
 /* The kicks of classify, which begins each generation. */
 static void a_generation_begins_where_its_first_stage_starts(void **state) {
     (void)state;
-    hs_error err = {0};
-    hs_mesh mesh;
-    hs_views views;
-    hs_packet in = {0}, out = {0};
     const hs_settings settings = {.front_depth = 2, .silhouette_depth = 4, .guard = true};
-    assert_true(hs_shape_make(&mesh, "hand", 0, 1, &err));
-    assert_true(hs_views_orbit(&views, 1, &mesh, 1, &err));
-    assert_true(hs_packet_encode(&in, 0, &mesh, views.view[0].matrix, &settings, &err));
-    hs_log log = {0};
-    hs_golden_report report;
-    hs_cycle_report cycles;
-    hs_model *model = hs_model_new(HS_DEFAULT_LIMITS, HS_DEFAULT_CONFIG, &err);
-    assert_non_null(model);
     const hs_stalls stalls = {.seed = 1, .input = 20, .output = 20};
-    assert_true(hs_model_run(model, &in, stalls, &out, &report, &cycles, &log, &err));
+    modelled m;
+    take_view(&m, "hand", 0, &settings, HS_DEFAULT_LIMITS, stalls);
     uint32_t found = 0;
-    for (size_t i = 0; i < log.probe[HS_PROBE_kick].count; i++) {
-        const hs_transaction *t = &log.probe[HS_PROBE_kick].transaction[i];
+    for (size_t i = 0; i < m.log.probe[HS_PROBE_kick].count; i++) {
+        const hs_transaction *t = &m.log.probe[HS_PROBE_kick].transaction[i];
         if (t->item != HS_STAGE_classify) continue;
         assert_int_equal(t->word[0], found);
-        assert_int_equal(hs_model_generation_cycle(model, found),
-                         cycles.begin + t->cycle - cycles.start);
+        assert_int_equal(hs_model_generation_cycle(m.model, found),
+                         m.cycles.begin + t->cycle - m.cycles.start);
         found++;
     }
     assert_int_equal(found, 4); /* the last step, 3 to 4, leaves nothing to classify */
-    assert_true(hs_model_generation_cycle(model, found) == HS_NO_CYCLE);
-    in.word[0] = 0;
-    assert_true(hs_model_run(model, &in, stalls, &out, &report, &cycles, NULL, &err));
-    assert_true(hs_model_generation_cycle(model, 0) == HS_NO_CYCLE);
-    hs_model_free(model);
-    hs_log_free(&log);
-    hs_packet_free(&in);
-    hs_packet_free(&out);
-    hs_views_free(&views);
-    hs_mesh_free(&mesh);
+    assert_true(hs_model_generation_cycle(m.model, found) == HS_NO_CYCLE);
+    m.in.word[0] = 0;
+    run_model(&m, stalls, NULL);
+    assert_true(hs_model_generation_cycle(m.model, 0) == HS_NO_CYCLE);
+    leave_view(&m);
 }
 
 int main(void) {

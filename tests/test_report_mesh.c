@@ -8,6 +8,7 @@
 #include <zlib.h>
 
 #include "decimate.h"
+#include "refine.h"
 #include "report_mesh.h"
 
 /* --- Meshes -------------------------------------------------------------------------------------
@@ -124,16 +125,8 @@ static hs_output halted(const scene *s, hs_settings settings, uint8_t step) {
     if (settings.front_depth > step) settings.front_depth = step;
     if (settings.silhouette_depth > step) settings.silhouette_depth = step;
     if (settings.uniform_depth > step) settings.uniform_depth = step;
-    hs_packet in = {0}, out = {0};
     hs_output output;
-    hs_golden_report report;
-    hs_golden *golden = hs_golden_new(HS_DEFAULT_LIMITS);
-    assert_true(hs_packet_encode(&in, 0, &s->mesh, s->matrix, &settings, &err));
-    assert_true(hs_golden_run(golden, &in, &out, &report, &err));
-    assert_true(hs_output_decode(&output, &out, &err));
-    hs_golden_free(golden);
-    hs_packet_free(&in);
-    hs_packet_free(&out);
+    assert_true(hs_refine(&output, &s->mesh, s->matrix, &settings, HS_DEFAULT_LIMITS, &err));
     return output;
 }
 

@@ -16,6 +16,7 @@
 #include "folder.h"
 #include "golden.h"
 #include "png_file.h"
+#include "refine.h"
 #include "run_pictures.h"
 #include "shape.h"
 #include "view.h"
@@ -38,17 +39,8 @@ static const hs_settings adaptive = {.front_depth = 4, .silhouette_depth = 8, .g
 static hs_output run_golden(const hs_mesh *mesh, const float matrix[16],
                             const hs_settings *settings) {
     hs_error err = {0};
-    hs_packet in = {0}, out = {0};
-    hs_golden_report report;
     hs_output output;
-    hs_golden *golden = hs_golden_new(HS_DEFAULT_LIMITS);
-    assert_non_null(golden);
-    assert_true(hs_packet_encode(&in, 0, mesh, matrix, settings, &err));
-    assert_true(hs_golden_run(golden, &in, &out, &report, &err));
-    assert_true(hs_output_decode(&output, &out, &err));
-    hs_golden_free(golden);
-    hs_packet_free(&in);
-    hs_packet_free(&out);
+    assert_true(hs_refine(&output, mesh, matrix, settings, HS_DEFAULT_LIMITS, &err));
     return output;
 }
 
