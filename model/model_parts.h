@@ -246,9 +246,9 @@ struct hs_model {
     bool edges;           /* no classify: the pass before left what new vertices are made of */
     size_t smooth_logged; /* transactions of smooth_out that are complete */
     hs_time now;          /* when the sequencer starts the next stage */
-    uint32_t generations; /* begun */
-    uint64_t
-        generation_cycle[HS_MAX_DEPTH + 1]; /* from the first beat in to the beginning of each */
+    /* Generations begun, and cycles from the first beat in to the beginning of each. */
+    uint32_t generations;
+    uint64_t generation_cycle[HS_MAX_DEPTH + 1];
     hs_emit_cycles emit;
     uint8_t *sent; /* per vertex: before this generation's smooth */
     size_t sent_room;
