@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
  * The harness that runs the RTL, and the comparison of its words, must fail where something is
- * wrong: sim/rtl_shim.cpp runs a pipeline that only sends its packets back (broken_rtl/), with one
+ * wrong: sim/rtl.h runs a pipeline that only sends its packets back (broken_rtl/), with one
  * fault at a time.
  */
 #include "broken_rtl/faults.h"

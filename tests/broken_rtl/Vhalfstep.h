@@ -2,7 +2,7 @@
  *
  * A stand-in for the Verilated pipeline, with its ports, registers and counters: it stores a packet
  * and sends it back, a beat a cycle, and has one planted fault. Compiled with sim/rtl_shim.cpp it
- * shows that each of the shim's checks can fail.
+ * shows that each check of the driver can fail.
  */
 #ifndef HS_TESTS_BROKEN_VHALFSTEP_H
 #define HS_TESTS_BROKEN_VHALFSTEP_H
