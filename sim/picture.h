@@ -83,6 +83,16 @@ double hs_picture_text_width(double size, const char *text);
 void hs_picture_fill(hs_picture *picture, double left, double top, double right, double bottom,
                      uint32_t color);
 
+/* Fills a disc around (x, y), in pixels, its edge smoothed. Coverage is left alone. */
+void hs_picture_disc(hs_picture *picture, double x, double y, double radius, uint32_t color);
+
+/* Copies a picture into a larger one, coverage included. What would lie outside is cut off. */
+void hs_picture_paste(hs_picture *picture, const hs_picture *part, uint32_t left, uint32_t top);
+
+/* Writes a count with commas between its thousands into text, and returns text. */
+enum { HS_COUNT_TEXT = 28 };
+char *hs_count_text(char text[HS_COUNT_TEXT], uint64_t count);
+
 /* One picture in a sheet. */
 typedef struct hs_panel {
     const hs_picture *picture;

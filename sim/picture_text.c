@@ -5,6 +5,7 @@
  * subdivision curve), so text is sharp at every size and needs no font file.
  */
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -239,14 +240,36 @@ void hs_picture_fill(hs_picture *picture, double left, double top, double right,
         }
 }
 
+void hs_picture_disc(hs_picture *picture, double x, double y, double radius, uint32_t color) {
+    const int64_t left = (int64_t)floor(fmax(x - radius - 1, 0));
+    for (int64_t j = (int64_t)floor(fmax(y - radius - 1, 0));
+         (double)j <= y + radius && j < picture->height; j++)
+        for (int64_t i = left; (double)i <= x + radius && i < picture->width; i++)
+            blend(picture, i, j, color,
+                  radius - hypot((double)i + 0.5 - x, (double)j + 0.5 - y) + 0.5);
+}
+
+char *hs_count_text(char text[HS_COUNT_TEXT], uint64_t count) {
+    char digits[HS_COUNT_TEXT];
+    const int length = snprintf(digits, sizeof digits, "%llu", (unsigned long long)count);
+    char *to = text;
+    for (int i = 0; i < length; i++) {
+        if (i > 0 && (length - i) % 3 == 0) *to++ = ',';
+        *to++ = digits[i];
+    }
+    *to = 0;
+    return text;
+}
+
 /* --- Sheets ----------------------------------------------------------------------------------- */
 
-static void copy_picture(hs_picture *sheet, const hs_picture *picture, uint32_t left,
-                         uint32_t top) {
-    for (uint32_t y = 0; y < picture->height; y++) {
-        size_t to = (size_t)(top + y) * sheet->width + left, from = (size_t)y * picture->width;
-        memcpy(&sheet->rgb[3 * to], &picture->rgb[3 * from], (size_t)picture->width * 3);
-        memcpy(&sheet->coverage[to], &picture->coverage[from], picture->width);
+void hs_picture_paste(hs_picture *picture, const hs_picture *part, uint32_t left, uint32_t top) {
+    const uint32_t right = left < picture->width ? picture->width - left : 0;
+    const uint32_t width = part->width < right ? part->width : right;
+    for (uint32_t y = 0; y < part->height && top + y < picture->height; y++) {
+        size_t to = (size_t)(top + y) * picture->width + left, from = (size_t)y * part->width;
+        memcpy(&picture->rgb[3 * to], &part->rgb[3 * from], (size_t)width * 3);
+        memcpy(&picture->coverage[to], &part->coverage[from], width);
     }
 }
 
@@ -297,8 +320,8 @@ bool hs_picture_sheet(hs_picture *sheet, const hs_panel *panel, uint32_t panels,
     for (uint32_t i = 0; i < panels; i++) {
         uint32_t left = gap + i % columns * (width + gap);
         uint32_t top = gap + head + i / columns * (height + strip + gap);
-        copy_picture(sheet, panel[i].picture, left + (width - panel[i].picture->width) / 2,
-                     top + (height - panel[i].picture->height) / 2);
+        hs_picture_paste(sheet, panel[i].picture, left + (width - panel[i].picture->width) / 2,
+                         top + (height - panel[i].picture->height) / 2);
         if (panel[i].caption)
             write_centred(sheet, left + width / 2.0, top + height + 1.9 * size, size, width, ink,
                           panel[i].caption);

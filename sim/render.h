@@ -78,6 +78,12 @@ bool hs_surface_of_faces(hs_surface *surface, const hs_faces *faces, const float
 bool hs_surface_turn(hs_surface *turned, const hs_surface *surface, double degrees, double aspect,
                      hs_error *err);
 
+/* The same surface through another view's matrix, row-major. Facing stays that of the original
+ * viewpoint. False, with the reason: the surface's own matrix is unknown or singular
+ * (HS_EXIT_VIEWS), or memory. */
+bool hs_surface_view(hs_surface *seen, const hs_surface *surface, const float matrix[16],
+                     hs_error *err);
+
 void hs_surface_free(hs_surface *surface);
 
 /* The deepest generation among the faces. */

@@ -110,6 +110,43 @@ static void fit(double m[16], const hs_surface *surface) {
             m[4 * i + j] = scale * (m[4 * i + j] - (low[i] + high[i]) / 2 * m[12 + j]);
 }
 
+/* A copy, facing included, without matrix, eye and clip positions. */
+static bool copy_surface(hs_surface *copy, const hs_surface *surface, hs_error *err) {
+    if (!hs_surface_make(copy, surface->vertices, surface->faces, surface->first, surface->corner,
+                         surface->generation, err))
+        return false;
+    if (surface->normal && !hs_surface_add_normals(copy, surface->normal, err)) return false;
+    memcpy(copy->object, surface->object, (size_t)surface->vertices * 3 * sizeof(double));
+    memcpy(copy->facing, surface->facing, surface->faces);
+    return true;
+}
+
+/* Eye and clip positions that belong to the matrix. */
+static void project(hs_surface *surface) {
+    hs_eye_of_matrix(surface->eye, surface->matrix);
+    for (uint32_t v = 0; v < surface->vertices; v++) {
+        const double *o = &surface->object[3 * (size_t)v], p[4] = {o[0], o[1], o[2], 1};
+        double clip[4];
+        hs_matrix_apply(clip, surface->matrix, p);
+        for (uint32_t i = 0; i < 4; i++)
+            surface->clip[4 * (size_t)v + i] = (float)clip[i];
+    }
+}
+
+bool hs_surface_view(hs_surface *seen, const hs_surface *surface, const float matrix[16],
+                     hs_error *err) {
+    *seen = (hs_surface){0};
+    if (!surface->object)
+        return hs_fail(err, HS_EXIT_VIEWS,
+                       "the view's matrix is unknown or singular, so the mesh cannot be seen from "
+                       "elsewhere; give an invertible matrix");
+    if (!copy_surface(seen, surface, err)) return false;
+    for (int i = 0; i < 16; i++)
+        seen->matrix[i] = (double)matrix[i];
+    project(seen);
+    return true;
+}
+
 bool hs_surface_turn(hs_surface *turned, const hs_surface *surface, double degrees, double aspect,
                      hs_error *err) {
     *turned = (hs_surface){0};
@@ -124,24 +161,12 @@ bool hs_surface_turn(hs_surface *turned, const hs_surface *surface, double degre
     if (!direction_to_eye(surface, box.middle, to_eye)) to_eye[2] = 1;
     upright_axis(surface, box.middle, axis);
     rotate(to_eye, axis, degrees);
-    if (!hs_surface_make(turned, surface->vertices, surface->faces, surface->first, surface->corner,
-                         surface->generation, err))
-        return false;
-    if (surface->normal && !hs_surface_add_normals(turned, surface->normal, err)) return false;
-    memcpy(turned->object, surface->object, (size_t)surface->vertices * 3 * sizeof(double));
-    memcpy(turned->facing, surface->facing, surface->faces);
+    if (!copy_surface(turned, surface, err)) return false;
     look_at_sphere(turned->matrix, box.middle, fmax(box.radius, 1e-30), to_eye, axis, aspect);
     fit(turned->matrix, turned);
     if (surface->eye[3] < 0) /* a mirrored view stays one: fronts stay fronts */
         for (int j = 0; j < 4; j++)
             turned->matrix[j] = -turned->matrix[j];
-    hs_eye_of_matrix(turned->eye, turned->matrix);
-    for (uint32_t v = 0; v < turned->vertices; v++) {
-        const double *o = &turned->object[3 * (size_t)v], p[4] = {o[0], o[1], o[2], 1};
-        double clip[4];
-        hs_matrix_apply(clip, turned->matrix, p);
-        for (uint32_t i = 0; i < 4; i++)
-            turned->clip[4 * v + i] = (float)clip[i];
-    }
+    project(turned);
     return true;
 }
