@@ -39,12 +39,14 @@ static const char EXAMPLES[] =
     "      depths of your own: lines `FIRST-LAST DEPTH`\n"
     "  halfstep render bob.obj --views my.txt --view 2 --what closeup --samples 4 -o tip.png\n"
     "      nine times enlarged, where the silhouette is finest\n"
+    "  halfstep render shape:hand --json -\n"
+    "      how many faces there are, in each generation\n"
     "  halfstep render output.hss --view 5 --what refined-wires -o view5.png\n"
     "      what a pipeline sent for view 5\n";
 
 /* What was asked for. Text belongs to the command line. */
 typedef struct request {
-    const char *source, *views, *force, *what, *file, *title;
+    const char *source, *views, *force, *what, *file, *json, *title;
     uint32_t orbit, view, turn, width, height, samples, levels, columns;
     bool views_given, orbit_given, view_given, depths_given; /* depths: anything that refines */
     bool quiet;
@@ -57,6 +59,8 @@ typedef struct scene {
     hs_mesh mesh;
     hs_output output;
     float matrix[16];
+    float aside[16];      /* of the turntable's second camera */
+    uint32_t view, views; /* which of how many */
     bool has_mesh, has_output, has_matrix;
     bool forced; /* depths of single faces were asked for */
     hs_settings settings;
@@ -91,7 +95,14 @@ static bool check_figure(const char *what, hs_error *err) {
 }
 
 static bool complete(request *r, const texts *t, hs_error *err) {
-    if (!r->file) return hs_fail(err, HS_EXIT_USAGE, "halfstep render: where to? add -o FILE.png");
+    if (!r->file && !r->json)
+        return hs_fail(err, HS_EXIT_USAGE,
+                       "halfstep render: where to? add -o FILE.png, or --json FILE to count only");
+    if (r->file && r->json && strcmp(r->file, r->json) == 0)
+        return hs_fail(err, HS_EXIT_USAGE,
+                       "halfstep render: picture and counts cannot both go to %.300s; give --json "
+                       "another file",
+                       r->file);
     if (!check_figure(r->what, err)) return false;
     if (!hs_pair_parse(t->size, 'x', &r->width, &r->height) || r->width < 16 || r->height < 16 ||
         r->width > 8192 || r->height > 8192)
@@ -123,7 +134,7 @@ static enum hs_parsed parse(request *r, int argc, char **argv, hs_error *err) {
         1,
         "Draws a figure of a mesh, refined by the golden model, or of a stream",
         EXAMPLES};
-    char figures[2000];
+    char figures[3000];
     list_figures(figures, sizeof figures);
     *r = (request){.what = "refined",
                    .orbit = 1,
@@ -133,6 +144,8 @@ static enum hs_parsed parse(request *r, int argc, char **argv, hs_error *err) {
     texts t = {.size = "768x768", .surface = HS_SURFACE_DEFAULTS};
     const hs_option option[] = {
         {"out", 'o', HS_OPTION_TEXT, "FILE", &r->file, 0, 0, NULL, "the PNG file to write"},
+        {"json", 0, HS_OPTION_TEXT, "FILE", &r->json, 0, 0, NULL,
+         "how many faces are shown, in each generation; without\n-o nothing is drawn"},
         {"what", 'w', HS_OPTION_TEXT, "FIGURE", &r->what, 0, 0, NULL, figures},
         {"orbit", 'n', HS_OPTION_NUMBER, "N", &r->orbit, 1, 65536, &r->orbit_given,
          "N viewpoints on a circle around the mesh (1)"},
@@ -163,15 +176,23 @@ static enum hs_parsed parse(request *r, int argc, char **argv, hs_error *err) {
 
 /* --- A mesh and its view ---------------------------------------------------------------------- */
 
-/* The matrix of view N of --views, or of --orbit around the mesh; without a mesh, of --views. */
-static bool choose_view(float matrix[16], const request *r, uint32_t number, const hs_mesh *mesh,
+/* The matrix of view N of --views, or of --orbit around the mesh; without a mesh, of --views. The
+ * second camera stands an eighth of the way round. */
+static bool choose_view(scene *s, const request *r, uint32_t number, const hs_mesh *mesh,
                         hs_error *err) {
-    hs_view view;
     if (!r->views && !mesh)
         return hs_fail(err, HS_EXIT_USAGE, "%.300s: no mesh to go around; give --views", r->source);
-    if (!hs_view_choose(&view, number, r->views, r->orbit, mesh, (double)r->width / r->height, err))
+    const double aspect = (double)r->width / r->height;
+    hs_views views;
+    hs_view view;
+    if (!hs_view_choose(&view, number, r->views, r->orbit, mesh, aspect, err) ||
+        !hs_views_open(&views, r->views, r->orbit, mesh, aspect, err))
         return false;
-    memcpy(matrix, view.matrix, sizeof view.matrix);
+    memcpy(s->matrix, view.matrix, sizeof s->matrix);
+    memcpy(s->aside, views.view[views.count / 8].matrix, sizeof s->aside);
+    s->view = number;
+    s->views = views.count;
+    hs_views_free(&views);
     return true;
 }
 
@@ -181,7 +202,7 @@ static bool open_mesh(scene *s, const request *r, hs_error *err) {
     s->settings = r->settings;
     s->forced = r->force != NULL;
     s->has_mesh = s->has_matrix = true;
-    return choose_view(s->matrix, r, r->view, &s->mesh, err);
+    return choose_view(s, r, r->view, &s->mesh, err);
 }
 
 /* --- A stream --------------------------------------------------------------------------------- */
@@ -293,7 +314,7 @@ static bool open_packet_out(scene *s, const hs_packet *out, const request *r, hs
         return hs_fail(err, HS_EXIT_REFUSED, "%.300s: view %u has no faces: it was refused, %s",
                        r->source, out->view, hs_status_name(s->output.status));
     if (!r->views) return true;
-    s->has_matrix = choose_view(s->matrix, r, out->view, NULL, err);
+    s->has_matrix = choose_view(s, r, out->view, NULL, err);
     return s->has_matrix;
 }
 
@@ -308,7 +329,8 @@ static bool open_stream(scene *s, const request *r, hs_error *err) {
 
 /* --- The figure ------------------------------------------------------------------------------- */
 
-static bool draw(hs_picture *picture, const scene *s, const request *r, hs_error *err) {
+static bool draw(hs_picture *picture, hs_figure_counts *counts, const scene *s, const request *r,
+                 hs_error *err) {
     bool stopped = s->has_output && s->output.status == HS_STATUS_STOPPED;
     const hs_figure_source source = {.mesh = s->has_mesh ? &s->mesh : NULL,
                                      .output = s->has_output ? &s->output : NULL,
@@ -320,9 +342,14 @@ static bool draw(hs_picture *picture, const scene *s, const request *r, hs_error
                                      .turn = r->turn,
                                      .levels = r->levels,
                                      .columns = r->columns,
-                                     .title = r->title};
-    hs_renderer *renderer = hs_renderer_new(r->width, r->height, r->samples, err);
-    const bool done = renderer && hs_figure_draw(picture, r->what, renderer, &source, err);
+                                     .title = r->title,
+                                     .aside = s->views ? s->aside : NULL,
+                                     .view = s->view,
+                                     .views = s->views,
+                                     .counts = counts};
+    hs_renderer *renderer = r->file ? hs_renderer_new(r->width, r->height, r->samples, err) : NULL;
+    const bool done =
+        (renderer || !r->file) && hs_figure_draw(picture, r->what, renderer, &source, err);
     hs_renderer_free(renderer);
     if (done && stopped && !r->quiet)
         fprintf(stderr, "note: %s: %s; %s\n", r->source, hs_status_what(HS_STATUS_STOPPED),
@@ -335,9 +362,15 @@ static bool render(const request *r, hs_error *err) {
     const bool is_stream = length > 4 && strcmp(r->source + length - 4, ".hss") == 0;
     scene s = {0};
     hs_picture picture = {0};
+    hs_figure_counts counts;
     const bool done = (is_stream ? open_stream(&s, r, err) : open_mesh(&s, r, err)) &&
-                      draw(&picture, &s, r, err) && hs_png_write(&picture, r->file, err);
-    if (done && !r->quiet) printf("%s: %ux%u pixels\n", r->file, picture.width, picture.height);
+                      draw(&picture, &counts, &s, r, err) &&
+                      (!r->file || hs_png_write(&picture, r->file, err)) &&
+                      (!r->json || hs_figure_counts_write(&counts, r->what, r->json, err));
+    const bool to_stdout = r->json && strcmp(r->json, "-") == 0;
+    if (done && r->file && !r->quiet)
+        fprintf(to_stdout ? stderr : stdout, "%s: %ux%u pixels\n", r->file, picture.width,
+                picture.height);
     hs_picture_free(&picture);
     free_scene(&s);
     return done;

@@ -48,7 +48,9 @@ static void make_scene(scene *s, const char *shape, uint32_t size) {
                                    .settings = adaptive,
                                    .limits = HS_DEFAULT_LIMITS,
                                    .turn = HS_SIDE_DEGREES,
-                                   .levels = 2};
+                                   .levels = 2,
+                                   .aside = s->matrix,
+                                   .views = 1};
 }
 
 static void free_scene(scene *s) {
@@ -81,8 +83,11 @@ static void every_figure_is_drawn_and_sheets_hold_several(void **state) {
     for (uint32_t i = 0; hs_figure_name(i); i++) {
         const char *name = hs_figure_name(i);
         const uint32_t columns = strcmp(name, "sheet") == 0 || strcmp(name, "steps") == 0 ? 5
-                                 : strcmp(name, "triptych") == 0                          ? 3
-                                                                                          : 1;
+                                 : strcmp(name, "turntable") == 0                         ? 2
+                                 : strcmp(name, "triptych") == 0 || strcmp(name, "splits") == 0 ||
+                                         strcmp(name, "levels") == 0
+                                     ? 3
+                                     : 1;
         hs_picture picture = draw(&s, name);
         if (columns == 1)
             assert_int_equal(picture.width, SIZE);
@@ -181,6 +186,140 @@ static void steps_begin_with_the_initial_mesh_and_go_on_finer(void **state) {
     assert_true(found);
     hs_picture_free(&sheet);
     hs_picture_free(&initial);
+    free_scene(&s);
+}
+
+/* --- What is counted -------------------------------------------------------------------------- */
+
+static hs_figure_counts count(scene *s, const char *name) {
+    hs_error err = {0};
+    hs_figure_counts counts;
+    hs_picture picture;
+    s->source.counts = &counts;
+    if (!hs_figure_draw(&picture, name, NULL, &s->source, &err)) fail_msg("%s", err.text);
+    assert_null(picture.rgb);
+    s->source.counts = NULL;
+    return counts;
+}
+
+/* The paper's figure 1: a triangle split in four tears three neighbours in two; in three, none. */
+static void a_dyadic_split_tears_the_neighbours_and_a_face_split_does_not(void **state) {
+    (void)state;
+    scene s;
+    make_scene(&s, "icosahedron", 0);
+    hs_figure_counts c = count(&s, "splits");
+    assert_int_equal(c.panels, 3);
+    assert_int_equal(c.panel[0].faces, 20);
+    assert_int_equal(c.panel[1].faces, 20 + 3 + 3);
+    assert_int_equal(c.panel[2].faces, 20 + 2);
+    /* All are marked: no neighbour is torn, and a face split leaves quads of two triangles. */
+    memset(s.mesh.forced, 7, s.mesh.faces);
+    s.source.forced = true;
+    c = count(&s, "splits");
+    assert_int_equal(c.panel[1].faces, 4 * 20);
+    assert_int_equal(c.panel[2].faces, 30);
+    free_scene(&s);
+    make_scene(&s, "cube", 1); /* a quad: 4 quads, and of each of 4 neighbours 3 triangles */
+    c = count(&s, "splits");
+    assert_int_equal(c.panel[1].faces, 4 + 4 * 3 + 1);
+    assert_int_equal(c.panel[1].vertices, 8 + 4 + 1);
+    assert_int_equal(c.panel[2].faces, 6 + 3);
+    free_scene(&s);
+}
+
+static void two_steps_have_the_faces_of_a_level(void **state) {
+    (void)state;
+    scene s;
+    make_scene(&s, "mixed", 0);
+    const hs_figure_counts levels = count(&s, "levels"), steps = count(&s, "steps");
+    for (uint32_t i = 0; i < levels.panels; i++) {
+        assert_int_equal(levels.panel[i].faces, steps.panel[2 * i].faces);
+        assert_int_equal(levels.panel[i].vertices, steps.panel[2 * i].vertices);
+    }
+    free_scene(&s);
+}
+
+static void what_is_counted_is_what_is_drawn(void **state) {
+    (void)state;
+    scene s;
+    make_scene(&s, "torus", 0);
+    for (uint32_t i = 0; hs_figure_name(i); i++) {
+        const hs_figure_counts alone = count(&s, hs_figure_name(i));
+        hs_figure_counts drawn;
+        s.source.counts = &drawn;
+        hs_picture picture = draw(&s, hs_figure_name(i));
+        hs_picture_free(&picture);
+        assert_int_equal(alone.panels, drawn.panels);
+        assert_int_equal(alone.cycles, drawn.cycles);
+        for (uint32_t p = 0; p < alone.panels; p++) {
+            uint32_t faces = 0;
+            for (uint32_t g = 0; g <= alone.panel[p].deepest; g++)
+                faces += alone.panel[p].generation[g];
+            assert_int_equal(faces, alone.panel[p].faces);
+            assert_int_equal(alone.panel[p].faces, drawn.panel[p].faces);
+            assert_int_equal(alone.panel[p].cut, drawn.panel[p].cut);
+        }
+    }
+    free_scene(&s);
+}
+
+/* --- The turntable ---------------------------------------------------------------------------- */
+
+/* Pixels that differ clearly in rectangles, SIZE wide, of two pictures. */
+static uint32_t differing(const hs_picture *a, uint32_t left_a, const hs_picture *b,
+                          uint32_t left_b, uint32_t height) {
+    uint32_t count = 0;
+    for (uint32_t y = 0; y < height; y++)
+        for (uint32_t x = 0; x < SIZE; x++) {
+            const uint8_t *p = &a->rgb[3 * ((size_t)y * a->width + left_a + x)];
+            const uint8_t *q = &b->rgb[3 * ((size_t)y * b->width + left_b + x)];
+            count += abs(p[0] - q[0]) > 16 || abs(p[1] - q[1]) > 16 || abs(p[2] - q[2]) > 16;
+        }
+    return count;
+}
+
+/* Pixels of a panel that the surface covers in one of two frames alone. */
+static uint32_t covered_once(const hs_picture *a, const hs_picture *b, uint32_t left) {
+    uint32_t count = 0;
+    for (uint32_t y = 0; y < SIZE; y++)
+        for (uint32_t x = left; x < left + SIZE; x++) {
+            const size_t i = (size_t)y * a->width + x;
+            count += (a->coverage[i] >= 128) != (b->coverage[i] >= 128);
+        }
+    return count;
+}
+
+static void the_turntables_camera_stays_and_the_refined_part_goes_with_the_eye(void **state) {
+    (void)state;
+    hs_error err = {0};
+    scene s;
+    hs_views views;
+    make_scene(&s, "hand", 0);
+    assert_true(hs_views_orbit(&views, 120, &s.mesh, 1, &err));
+    s.source.aside = views.view[0].matrix;
+    s.source.views = 120;
+    const hs_figure_counts counts = count(&s, "turntable");
+    assert_true(counts.cycles > counts.panel[0].faces);
+    hs_picture first = draw(&s, "turntable");
+    const uint32_t right = first.width - SIZE, dial = SIZE / 2; /* above it */
+    /* The camera stands where the eye is: both see the same, but for the dial. */
+    assert_in_range(differing(&first, 0, &first, right, dial), 0, 20);
+    s.source.matrix = views.view[15].matrix;
+    s.source.view = 15;
+    hs_picture second = draw(&s, "turntable");
+    assert_true(differing(&first, 0, &second, 0, SIZE) > 100);
+    assert_true(differing(&first, right, &second, right, dial) > 20);
+    const uint32_t of_eye = covered_once(&first, &second, 0),
+                   of_camera = covered_once(&first, &second, right);
+    print_message("covered in one alone: %u seen by the eye, %u by the camera\n", of_eye,
+                  of_camera);
+    assert_true(of_camera * 5 < of_eye);
+    hs_picture_free(&first);
+    hs_picture_free(&second);
+    s.source.aside = NULL;
+    assert_false(hs_figure_draw(&first, "turntable", s.renderer, &s.source, &err));
+    assert_int_equal(err.code, HS_EXIT_USAGE);
+    hs_views_free(&views);
     free_scene(&s);
 }
 
@@ -330,6 +469,8 @@ static void what_cannot_be_drawn_is_said_and_leaves_no_file(void **state) {
     (void)state;
     static const failure failures[] = {
         {"shape:cube", HS_EXIT_USAGE, "-o FILE.png"},
+        {"shape:cube --json @/none/x.json", HS_EXIT_FILE, "x.json"},
+        {"shape:cube -o @/x.png --json @/x.png", HS_EXIT_USAGE, "another file"},
         {"shape:cube -w refind -o @/x.png", HS_EXIT_USAGE, "did you mean \"refined\""},
         {"shape:cube -w zzzzzzzz -o @/x.png", HS_EXIT_USAGE, "--help"},
         {"shape:cube --size 3x3 -o @/x.png", HS_EXIT_USAGE, "768x768"},
@@ -395,6 +536,10 @@ int main(void) {
         cmocka_unit_test(ramp_uses_forced_depths_if_there_are_any),
         cmocka_unit_test(ramp_is_deepest_at_the_top),
         cmocka_unit_test(steps_begin_with_the_initial_mesh_and_go_on_finer),
+        cmocka_unit_test(a_dyadic_split_tears_the_neighbours_and_a_face_split_does_not),
+        cmocka_unit_test(two_steps_have_the_faces_of_a_level),
+        cmocka_unit_test(what_is_counted_is_what_is_drawn),
+        cmocka_unit_test(the_turntables_camera_stays_and_the_refined_part_goes_with_the_eye),
         cmocka_unit_test(a_refinement_that_stops_early_is_told),
         cmocka_unit_test(a_view_that_golden_refuses_has_no_figure),
         cmocka_unit_test(mesh_packet_in_and_packet_out_give_the_same_picture),
