@@ -79,7 +79,7 @@ static void split_marked(dyadic *d, const hs_mesh *m, uint32_t face) {
 }
 
 static void split_neighbour(dyadic *d, const hs_mesh *m, uint32_t face) {
-    uint32_t ring[2 * HS_MAX_SIDES], count = 0, hub = HS_BORDER;
+    uint32_t ring[2 * HS_MAX_SIDES] = {0}, count = 0, hub = HS_BORDER;
     for (uint32_t h = m->first[face]; h < m->first[face + 1]; h++) {
         ring[count++] = m->origin[h];
         if (d->halfway[h] == HS_BORDER) continue;

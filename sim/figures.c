@@ -333,7 +333,7 @@ static bool needs_matrix(const char *name) {
 
 bool hs_figure_draw(hs_picture *picture, const char *name, hs_renderer *renderer,
                     const hs_figure_source *given, hs_error *err) {
-    hs_figure_counts own, *counts = given->counts ? given->counts : &own;
+    hs_figure_counts own = {0}, *counts = given->counts ? given->counts : &own;
     hs_figure_source with_counts = *given;
     with_counts.counts = counts;
     const hs_figure_source *source = &with_counts;
