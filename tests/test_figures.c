@@ -223,6 +223,7 @@ static void a_dyadic_split_tears_the_neighbours_and_a_face_split_does_not(void *
     c = count(&s, "splits");
     assert_int_equal(c.panel[1].faces, 4 + 4 * 3 + 1);
     assert_int_equal(c.panel[1].vertices, 8 + 4 + 1);
+    assert_int_equal(c.panel[1].cut, 2 * 4 + 4 * 3 + 2);
     assert_int_equal(c.panel[2].faces, 6 + 3);
     free_scene(&s);
 }
