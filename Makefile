@@ -11,7 +11,7 @@ endif
 # What a bare Debian 12 misses is installed before anything else is looked at: packages.mk is
 # included, so make brings it up to date first and then reads everything again.
 PACKAGES := gcc g++ clang make git verilator yosys libosmesa6-dev libosd-dev libcmocka-dev libjansson-dev \
-            libpng-dev zlib1g-dev clang-format cppcheck
+            libpng-dev zlib1g-dev pkg-config clang-format cppcheck
 # $(call INSTALL,NAMES): those of the packages that are missing, with sudo unless root.
 INSTALL = missing=; for p in $(1); do \
     dpkg-query -W -f='$${Status}' $$p 2>/dev/null | grep -q 'ok installed' || missing="$$missing $$p"; done; \
@@ -73,7 +73,7 @@ $(BUILD)/tests/osd.o: tests/osd.cpp
 $(OSD_USERS): $(BUILD)/tests/osd.o
 $(OSD_USERS): LIBS += -losdCPU
 
-include sim/rtl.mk sim/pictures.mk sim/report.mk $(wildcard tests/*.mk)
+include sim/rtl.mk sim/pictures.mk sim/report.mk sim/install.mk $(wildcard tests/*.mk)
 
 # --- What there is to do --------------------------------------------------------------------------
 .PHONY: run test lint format clean help

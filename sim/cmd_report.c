@@ -62,16 +62,19 @@ static enum hs_parsed parse(request *r, int argc, char **argv, hs_error *err) {
     return parsed;
 }
 
-/* report/template.html in the program's folder. */
+/* From the program's folder: where it is built, and where it is installed. */
 static bool find_template(char path[PATH_MAX], hs_error *err) {
-    static const char name[] = "report/template.html";
-    const ssize_t length = readlink("/proc/self/exe", path, PATH_MAX - sizeof name - 1);
-    if (length > 0) {
-        path[length] = 0;
-        char *end = strrchr(path, '/');
-        memcpy(end ? end + 1 : path, name, sizeof name);
+    static const char *const place[] = {"report/template.html",
+                                        "../share/halfstep/report/template.html"};
+    char program[PATH_MAX];
+    const ssize_t length = readlink("/proc/self/exe", program, sizeof program - 1);
+    if (length > 0) program[length] = 0;
+    char *const end = length > 0 ? strrchr(program, '/') : NULL;
+    if (end) *end = 0;
+    for (size_t i = 0; end && i < sizeof place / sizeof *place; i++) {
         struct stat status;
-        if (stat(path, &status) == 0) return true;
+        const int used = snprintf(path, PATH_MAX, "%s/%s", program, place[i]);
+        if (used > 0 && used < PATH_MAX && stat(path, &status) == 0) return true;
     }
     return hs_fail(err, HS_EXIT_FILE,
                    "there is no page to fill, report/template.html beside the program; `make "
