@@ -135,6 +135,12 @@ static bool check_face_generation(const reader *in, size_t at, counts *sum) {
 /* The header, and the block exponent in it. */
 static bool check_header(const reader *in) {
     const uint32_t *word = in->packet->word;
+    if (word[0] != hs_tag(HS_RECORD_HEADER, HS_STREAM_VERSION) &&
+        (word[0] & ~0xffu) == hs_tag(HS_RECORD_HEADER, 0))
+        return hs_fail(in->err, HS_EXIT_STREAM,
+                       "output packet of view %u: it is of stream version %u, and version %d is "
+                       "read here; make it anew, or use a halfstep of its version",
+                       in->packet->view, word[0] & 0xff, HS_STREAM_VERSION);
     if (word[0] != hs_tag(HS_RECORD_HEADER, HS_STREAM_VERSION))
         return wrong(in, 0, "0x%08x is not the header of version %d", word[0], HS_STREAM_VERSION);
     if (word[1] != in->packet->view) return wrong(in, 1, "it is the header of view %u", word[1]);

@@ -205,9 +205,44 @@ static void hostile_packets_are_refused_or_refined_and_leave_no_trace(void **sta
     hs_golden_free(golden);
 }
 
+/* Whatever the version asks for, it is refused at its word, and the next packet is not. */
+static void a_packet_of_another_version_is_refused_with_its_status(void **state) {
+    (void)state;
+    static const uint32_t version[] = {0,
+                                       HS_STREAM_VERSION - 1,
+                                       HS_STREAM_VERSION + 1,
+                                       HS_STREAM_VERSION | 0x100,
+                                       HS_STREAM_VERSION | 0x80000000,
+                                       0xffffffff};
+    hs_golden *golden = hs_golden_new(limits);
+    assert_non_null(golden);
+    good_packets good = {0};
+    make_good_packets(&good, golden);
+    hs_packet out = {0};
+    hs_golden_report report;
+    hs_packet *in = &good.in[0];
+    for (size_t i = 0; i < sizeof version / sizeof *version; i++) {
+        in->word[1] = version[i];
+        in->word[in->words - 1] = hs_packet_crc(in);
+        run(golden, in, &out, &report);
+        assert_int_equal(report.status, HS_STATUS_BAD_VERSION);
+        assert_int_equal(report.error_position, 1);
+        assert_int_equal(out.words, 12);
+        run(golden, &good.in[1], &out, &report);
+        assert_int_equal(report.status, HS_STATUS_OK);
+    }
+    for (uint32_t i = 0; i < GOOD_PACKETS; i++) {
+        hs_packet_free(&good.in[i]);
+        hs_packet_free(&good.out[i]);
+    }
+    hs_packet_free(&out);
+    hs_golden_free(golden);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(hostile_packets_are_refused_or_refined_and_leave_no_trace),
+        cmocka_unit_test(a_packet_of_another_version_is_refused_with_its_status),
     };
     return cmocka_run_group_tests_name("golden, hostile packets", tests, NULL, NULL);
 }

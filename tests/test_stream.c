@@ -274,7 +274,11 @@ static void a_wrong_packet_with_a_right_crc_is_refused_with_its_cause(void **sta
         uint32_t value;
         const char *cause;
     } fault[] = {
-        {0, 0xff800001, "word 0 (header, version): 0xff800001 is not the header of version 2"},
+        {0, 0xff800102, "word 0 (header, version): 0xff800102 is not the header of version 2"},
+        {0, 0xff800000, "output packet of view 7: it is of stream version 0"},
+        {0, 0xff800001, "it is of stream version 1, and version 2 is read here"},
+        {0, 0xff800003, "it is of stream version 3, and version 2 is read here"},
+        {0, 0xff8000ff, "it is of stream version 255"},
         {1, 8, "word 1 (header, view): it is the header of view 8"},
         {2, 129, "word 2 (header, block exponent): no binary32 has the block exponent 129"},
         {2, 0xffffff6b, "no binary32 has the block exponent -149"},
