@@ -22,10 +22,10 @@ static const char EXAMPLES[] =
     "\n"
     "Examples:\n"
     "  halfstep convert shape:hand --to gltf -o hand.glb\n"
-    "      for Blender, browsers, game engines; -o hand.gltf writes hand.bin beside it\n"
+    "      for Blender, browsers, engines; -o hand.gltf writes hand.bin beside it\n"
     "  halfstep convert bob.obj --orbit 8 --view 3 --to ply -o bob.ply\n"
     "      polygons as they are, for MeshLab and the like\n"
-    "  halfstep convert shape:monster --to pov -o monster.pov && povray +W768 +H768 monster.pov\n"
+    "  halfstep convert shape:monster -o my.pov && povray +W768 +H768 my.pov\n"
     "      camera and light as the view; Declare=DEPTH=1 colours by depth\n"
     "  halfstep convert shape:hand --to gltf --space ndc -o seen.glb\n"
     "      as the view deforms it: the cube from -1 to 1 is what is seen\n";

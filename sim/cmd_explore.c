@@ -12,6 +12,7 @@
 #include "mesh_source.h"
 #include "options.h"
 #include "surface_options.h"
+#include "terminal.h"
 
 static const hs_command COMMAND = {
     .name = "explore",
@@ -21,12 +22,13 @@ static const hs_command COMMAND = {
     .what = "cycles, memory and traffic over a space of micro-architectures, by the model",
     .text =
         "  halfstep explore shape:hand --orbit 8 --set banks=2,4,8,16 --set window=2,4,8\n"
-        "      twelve architectures times eight views; explore.csv, explore.json in out/explore\n"
+        "      twelve architectures times eight views; explore.csv and explore.json in\n"
+        "      out/explore\n"
         "  halfstep explore bunny.obj --set lanes=1,2,4,8 --clock 800 --out out/lanes\n"
         "      with views per second at 800 MHz\n"
         "  halfstep explore bunny.obj --set lanes=1,2,4,8 --out out/lanes --shard 3/8\n"
-        "      the third of eight parts; without --shard, the same command does what is missing\n"
-        "      and puts all parts together\n\n"
+        "      the third of eight parts; without --shard, the same command does what is\n"
+        "      missing and puts all parts together\n\n"
         "Parameters: port (records of 128 bits in a beat), banks, window (items that compete for\n"
         "them), lanes (words a cycle), latency (of a read), ops (that wait for emit), views (in\n"
         "flight: all views then stream through in a row), parity (of the memories: 0 or 1).\n"
@@ -181,8 +183,12 @@ static bool report(const hs_exploration *e, const request *r, hs_error *err) {
     if (!hs_explore_write_csv(&result, path, err)) return false;
     snprintf(path, sizeof path, "%.4000s/explore.json", r->out);
     if (!hs_explore_write_json(&result, path, err)) return false;
-    printf("%s: %u faces; %u view%s; read, write: bytes of memory traffic a face\n\n", r->mesh,
-           e->mesh.faces, e->views.count, e->views.count == 1 ? "" : "s");
+    char what[4400];
+    snprintf(what, sizeof what,
+             "%.4000s: %u faces; %u view%s; read, write: bytes of memory traffic a face", r->mesh,
+             e->mesh.faces, e->views.count, e->views.count == 1 ? "" : "s");
+    hs_print_wrapped(stdout, 0, 0, what);
+    printf("\n");
     hs_explore_print(&result, stdout);
     printf("\n* no other is better in both cycles and memory\n%s/explore.csv, explore.json\n",
            r->out);

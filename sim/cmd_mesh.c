@@ -12,39 +12,46 @@
 #include "obj.h"
 #include "options.h"
 #include "shape.h"
-
-static const char SOURCES[] = "A mesh is an OBJ file or shape:NAME[:SIZE[:SEED]].\n";
+#include "terminal.h"
 
 /* --- mesh info ----------------------------------------------------------------------------------
  */
 
-/* "3: 12  4: 384" over as many lines as it takes. */
+enum { NAME_COLUMN = 13 };
+
+/* Adds an entry of a row, "  4: 384", or begins with it a new line of that row. */
+static void print_entry(int *column, const char *key, uint32_t count) {
+    char text[60];
+    const int gap = *column == NAME_COLUMN ? 0 : 2;
+    const int length = snprintf(text, sizeof text, "%s: %u", key, count);
+    if (*column + gap + length > HS_TERMINAL_COLUMNS)
+        *column = printf("\n%*s%s", NAME_COLUMN, "", text) - 1;
+    else
+        *column += printf("%*s%s", gap, "", text);
+}
+
+/* "sides        3: 12  4: 384" over as many lines as it takes. */
 static void print_histogram(const char *name, const uint32_t *bin) {
-    int column = printf("%-12s", name);
-    for (int i = 0; i < HS_INFO_BINS; i++)
-        if (bin[i]) {
-            if (column > 66) {
-                printf("\n");
-                column = printf("%-12s", "");
-            }
-            column += printf(" %d: %u ", i, bin[i]);
-        }
+    int column = printf("%-*s", NAME_COLUMN, name);
+    char key[20];
+    for (int i = 0; i < HS_INFO_BINS; i++) {
+        snprintf(key, sizeof key, "%d", i);
+        if (bin[i]) print_entry(&column, key, bin[i]);
+    }
     printf("\n");
 }
 
-/* "creases  1: 4  forever: 12": how many edges or vertices are sharp for so many levels. */
+/* "creases      1: 4  for ever: 12": how many edges or vertices are sharp for so many levels. */
 static void print_sharp(const char *name, const uint32_t count[HS_SHARP_INFINITE + 1]) {
-    bool any = false;
+    int column = 0;
+    char key[20];
     for (uint32_t s = 1; s <= HS_SHARP_INFINITE; s++) {
         if (count[s] == 0) continue;
-        if (!any) printf("%-12s", name);
-        any = true;
-        if (s == HS_SHARP_INFINITE)
-            printf(" for ever: %u ", count[s]);
-        else
-            printf(" %u: %u ", s, count[s]);
+        if (!column) column = printf("%-*s", NAME_COLUMN, name);
+        snprintf(key, sizeof key, "%u", s);
+        print_entry(&column, s == HS_SHARP_INFINITE ? "for ever" : key, count[s]);
     }
-    if (any) printf("\n");
+    if (column) printf("\n");
 }
 
 static bool print_info(const char *source, bool round_sharpness, hs_error *err) {
@@ -99,8 +106,7 @@ static int run_info(int argc, char **argv, hs_error *err) {
     for (int i = operand; i < argc; i++) {
         if (i > operand) printf("\n");
         if (print_info(argv[i], round_sharpness, err)) continue;
-        fflush(stdout);
-        fprintf(stderr, "halfstep: %s\n", err->text);
+        hs_print_error(err);
         code = err->code;
         err->text[0] = 0;
     }
@@ -118,9 +124,11 @@ static int run_list(int argc, char **argv, hs_error *err) {
     if (parsed == HS_PARSED_HELP) return HS_EXIT_OK;
     if (parsed == HS_PARSED_WRONG) return err->code;
     for (const hs_shape *s = hs_shapes; s->name; s++) {
-        printf("%-12s %s", s->name, s->what);
-        if (s->size) printf("; size %u to %u (%u)", s->min_size, s->max_size, s->size);
-        printf("\n");
+        char what[300];
+        const int column = printf("%-12s ", s->name);
+        snprintf(what, sizeof what, s->size ? "%s; size %u to %u (%u)" : "%s", s->what, s->min_size,
+                 s->max_size, s->size);
+        hs_print_wrapped(stdout, column, column, what);
     }
     return HS_EXIT_OK;
 }
@@ -194,19 +202,11 @@ static int run_convert(int argc, char **argv, hs_error *err) {
  */
 
 int hs_command_mesh(int argc, char **argv, hs_error *err) {
-    static const char *const name[] = {"info", "list", "make", "convert", NULL};
-    static int (*const run[])(int, char **, hs_error *) = {run_info, run_list, run_make,
-                                                           run_convert};
-    if (argc > 1 && (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0)) {
-        printf("halfstep mesh info MESH...          what a mesh is like\n"
-               "halfstep mesh list                  the built-in shapes\n"
-               "halfstep mesh make NAME [-o FILE]   write one of them as OBJ\n"
-               "halfstep mesh convert MESH FILE     read, check, write as plain OBJ\n\n"
-               "%s"
-               "`halfstep mesh info --help`, and so on, explain each by examples.\n",
-               SOURCES);
-        return HS_EXIT_OK;
-    }
-    const int which = hs_subcommand("mesh", name, argc, argv, err);
-    return which < 0 ? err->code : run[which](argc - 1, argv + 1, err);
+    static const hs_part part[] = {
+        {"info", run_info, "what meshes are like, or what is wrong with them"},
+        {"list", run_list, "the built-in shapes"},
+        {"make", run_make, "write one of them as OBJ"},
+        {"convert", run_convert, "read a mesh, check it, write it as plain OBJ"},
+        {0}};
+    return hs_part_run("mesh", part, argc, argv, err);
 }

@@ -25,7 +25,7 @@ static const hs_command COMMAND = {
         "Examples:\n"
         "  halfstep run shape:hand --orbit 8 --out out/hand && halfstep report out/hand\n"
         "      writes out/hand/report.html\n"
-        "  halfstep explore shape:hand --set banks=2,4,8 --set window=2,4,8 --out out/space\n"
+        "  halfstep explore shape:hand --set banks=2,4 --set window=2,4,8 --out out/space\n"
         "  halfstep report out/hand --explore out/space -o hand.html\n"
         "      with the plots of a design space\n"
         "  halfstep report out/hand --with out/spot --with out/bob/run.json\n"

@@ -293,11 +293,11 @@ static bool run_views(hs_run *run, hs_error *err) {
     const uint32_t end = only == UINT32_MAX ? run->views.count : only + 1;
     const double start = hs_seconds();
     hs_progress_clear(&run->progress);
+    hs_progress_start(&run->progress, run->request->quiet);
     hs_run_table_head(run);
     bool equal = true;
     for (uint32_t number = first; number < end && equal; number++) {
-        hs_progress_show(&run->progress, "view %u, %u of %u, %.0f s", number, number - first + 1,
-                         end - first, hs_seconds() - start);
+        hs_progress_count(&run->progress, number - first, number - first, end - first, "views");
         hs_run_view *view = &run->view[run->done];
         const bool good = hs_run_one(run, number, view, err);
         hs_progress_clear(&run->progress);

@@ -11,6 +11,7 @@
 #include "compare.h"
 #include "json_file.h"
 #include "options.h"
+#include "terminal.h"
 #include "trace.h"
 
 static const char ROOT[] = "traces";
@@ -65,8 +66,7 @@ static int visit_all(int count, char **name, visit *what, hs_error *err) {
         char folder[4000];
         folder_of(entry ? entry[i]->d_name : name[i], folder, sizeof folder);
         if (!what(folder, err)) {
-            fflush(stdout);
-            fprintf(stderr, "halfstep: %s\n", err->text);
+            hs_print_error(err);
             code = err->code;
             err->text[0] = 0;
         }
@@ -316,19 +316,11 @@ static int run_build(int argc, char **argv, hs_error *err) {
  */
 
 int hs_command_trace(int argc, char **argv, hs_error *err) {
-    static const char *const name[] = {"make", "check", "show", "build", NULL};
-    static int (*const run[])(int, char **, hs_error *) = {run_make, run_check, run_show,
-                                                           run_build};
-    if (argc > 1 && (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0)) {
-        printf("halfstep trace check [TRACE...]               golden and rtl against what is "
-               "expected\n"
-               "halfstep trace check TRACE --output FILE      judge an output stream of your own\n"
-               "halfstep trace make TRACE... | --all          make traces from their trace.txt\n"
-               "halfstep trace show FILE                      a stream as text\n"
-               "halfstep trace build TEXT FILE                text as a stream\n\n"
-               "`halfstep trace check --help`, and so on, explain each by examples.\n");
-        return HS_EXIT_OK;
-    }
-    const int which = hs_subcommand("trace", name, argc, argv, err);
-    return which < 0 ? err->code : run[which](argc - 1, argv + 1, err);
+    static const hs_part part[] = {
+        {"make", run_make, "make input.hss and expected.json from trace.txt"},
+        {"check", run_check, "golden and rtl, or --output FILE, against what is expected"},
+        {"show", run_show, "a stream as text"},
+        {"build", run_build, "text as a stream"},
+        {0}};
+    return hs_part_run("trace", part, argc, argv, err);
 }

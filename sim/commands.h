@@ -8,6 +8,7 @@
 #define HS_COMMANDS_H
 
 #include "error.h"
+#include "options.h"
 
 int hs_command_run(int argc, char **argv, hs_error *err);
 int hs_command_mesh(int argc, char **argv, hs_error *err);
@@ -16,5 +17,10 @@ int hs_command_explore(int argc, char **argv, hs_error *err);
 int hs_command_render(int argc, char **argv, hs_error *err);
 int hs_command_convert(int argc, char **argv, hs_error *err);
 int hs_command_report(int argc, char **argv, hs_error *err);
+
+/* These tell of all commands; the list ends with a NULL name. */
+int hs_command_completion(const hs_part *command, int argc, char **argv, hs_error *err);
+int hs_command_man(const hs_part *command, int argc, char **argv, hs_error *err);
+void hs_print_help(const hs_part *command);
 
 #endif

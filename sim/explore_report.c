@@ -5,6 +5,7 @@
 
 #include "explore.h"
 #include "json_file.h"
+#include "terminal.h"
 
 /* --- What follows from a row --------------------------------------------------------------------
  */
@@ -190,7 +191,20 @@ static bool beaten(const sum *all, uint64_t count, uint64_t which) {
     return false;
 }
 
-enum { COLUMN = 8 };
+/* A column of a parameter, as wide as its name asks, and the columns behind them. */
+static int column_of(uint32_t parameter) {
+    const int name = (int)strlen(hs_explore_name(parameter));
+    return name < 5 ? 6 : name + 1;
+}
+static const int FIGURE_COLUMNS = 8 + 7 + 6 + 6 + 6 + 6, CLOCK_COLUMNS = 8;
+
+/* Columns of the parameters of which several values were tried. */
+static int parameter_columns(const hs_explore_result *r) {
+    int columns = 0;
+    for (uint32_t p = 0; p < HS_EXPLORE_NAMES; p++)
+        if (r->space->parameter[p].given) columns += column_of(p);
+    return columns;
+}
 
 void hs_explore_print(const hs_explore_result *r, FILE *out) {
     const uint64_t views = r->space->views, count = hs_explore_points(r->space) / views;
@@ -198,17 +212,21 @@ void hs_explore_print(const hs_explore_result *r, FILE *out) {
     if (!all) return;
     for (uint64_t i = 0; i < count; i++)
         all[i] = sum_of(r, i * views);
+    /* What is too much for a line takes two: parameters, and below them the figures. */
+    const int columns =
+        parameter_columns(r) + 2 + FIGURE_COLUMNS + (r->clock > 0 ? CLOCK_COLUMNS : 0) + 2;
+    const char *const between = columns > HS_TERMINAL_COLUMNS ? "\n          " : "  ";
     for (uint32_t p = 0; p < HS_EXPLORE_NAMES; p++)
-        if (r->space->parameter[p].given) fprintf(out, "%*s", COLUMN, hs_explore_name(p));
-    fprintf(out, "%*s c/face ratio  Mbit  read write%s\n", COLUMN + 2, "cycles",
+        if (r->space->parameter[p].given) fprintf(out, "%*s", column_of(p), hs_explore_name(p));
+    fprintf(out, "%s%8s c/face ratio  Mbit  read write%s\n", between, "cycles",
             r->clock > 0 ? " views/s" : "");
     for (uint64_t i = 0; i < count; i++) {
         const sum *s = &all[i];
         const hs_model_config config = hs_explore_config(r->space, i * views);
         for (uint32_t p = 0; p < HS_EXPLORE_NAMES; p++)
             if (r->space->parameter[p].given)
-                fprintf(out, "%*" PRIu32, COLUMN, hs_explore_value(&config, p));
-        fprintf(out, "%*" PRIu64 " %6.2f %5.2f %5.0f %5.0f %5.0f", COLUMN + 2, s->stream,
+                fprintf(out, "%*" PRIu32, column_of(p), hs_explore_value(&config, p));
+        fprintf(out, "%s%8" PRIu64 " %6.2f %5.2f %5.0f %5.0f %5.0f", between, s->stream,
                 ratio(s->stream, s->faces), ratio(s->stream * config.views, s->bound),
                 (double)s->memory / 1e6, ratio(s->read, s->faces) / 8,
                 ratio(s->written, s->faces) / 8);

@@ -18,7 +18,6 @@ typedef struct workers {
     uint64_t next, number; /* of the next run: its point, and itself */
     uint64_t done, done_before;
     hs_progress progress;
-    double start;
     bool failed;
     hs_error err;
 } workers;
@@ -188,12 +187,7 @@ static bool run_stream(const hs_exploration *e, uint64_t first, hs_explore_row *
 /* --- Workers ------------------------------------------------------------------------------------
  */
 static void show_progress(workers *w) {
-    const double seconds = hs_seconds() - w->start;
-    const uint64_t now = w->done - w->done_before;
-    const double rate = seconds > 0 ? (double)now / seconds : 0;
-    hs_progress_show(&w->progress, "%llu of %llu points, %.0f a second, %.0f s left",
-                     (unsigned long long)w->done, (unsigned long long)w->e->mine, rate,
-                     rate > 0 ? (double)(w->e->mine - w->done) / rate : 0);
+    hs_progress_count(&w->progress, w->done, w->done - w->done_before, w->e->mine, "points");
 }
 
 /* Behind a run. Under the lock. */
@@ -250,7 +244,6 @@ bool hs_explore_work(hs_exploration *e, uint32_t jobs, bool quiet, hs_error *err
     count_points(&w);
     if (jobs > e->mine - w.done) jobs = (uint32_t)(e->mine - w.done);
     hs_progress_start(&w.progress, quiet);
-    w.start = hs_seconds();
     while (started < jobs && pthread_create(&thread[started], NULL, work, &w) == 0)
         started++;
     if (jobs && !started) work(&w);

@@ -28,7 +28,7 @@ $(BUILD)/$(SHARED): $(MODEL_OBJ:$(BUILD)/%=$(BUILD)/pic/%)
 
 # --- Files that are made for it -----------------------------------------------------------------------
 # Of the tree they stay apart: in the installed list of modules no folder stands, for `verilator -F`.
-STAGED := $(addprefix $(BUILD)/install/,halfstep.pc files.f)
+STAGED := $(addprefix $(BUILD)/install/,halfstep.pc files.f halfstep.1 halfstep _halfstep)
 $(BUILD)/install/halfstep.pc: sim/halfstep.pc.in sim/install.mk sim/options.h FORCE
 	@mkdir -p $(@D)
 	@sed -e 's|@VERSION@|$(VERSION)|' -e 's|@PREFIX@|$(PREFIX)|' -e 's|@LIBDIR@|$(LIBDIR:$(PREFIX)/%=$${prefix}/%)|' \
@@ -36,6 +36,14 @@ $(BUILD)/install/halfstep.pc: sim/halfstep.pc.in sim/install.mk sim/options.h FO
 $(BUILD)/install/files.f: rtl/files.f
 	@mkdir -p $(@D)
 	@sed 's|^rtl/||' $< >$@
+
+# What the program says of itself: manual, and completion for bash and zsh.
+$(BUILD)/install/halfstep.1: SAY := man
+$(BUILD)/install/halfstep: SAY := completion bash
+$(BUILD)/install/_halfstep: SAY := completion zsh
+$(addprefix $(BUILD)/install/,halfstep.1 halfstep _halfstep): $(BUILD)/halfstep
+	@mkdir -p $(@D)
+	@$< $(SAY) >$@.part && mv $@.part $@
 
 # The page of `halfstep report` needs libraries from npm. REPORT_PAGE= leaves it out.
 REPORT_PAGE := $(PAGE)/template.html
@@ -53,6 +61,9 @@ INSTALLED := $(BINDIR):755:$(BUILD)/halfstep \
              $(LIBDIR)/pkgconfig:644:$(BUILD)/install/halfstep.pc \
              $(addprefix $(INCLUDEDIR)/halfstep:644:model/,$(PUBLIC)) \
              $(addprefix $(HERE)/rtl:644:,$(BUILD)/install/files.f $(wildcard rtl/*.sv)) \
+             $(DATADIR)/man/man1:644:$(BUILD)/install/halfstep.1 \
+             $(DATADIR)/bash-completion/completions:644:$(BUILD)/install/halfstep \
+             $(DATADIR)/zsh/site-functions:644:$(BUILD)/install/_halfstep \
              $(addprefix $(DOCDIR):644:,$(DOCS)) \
              $(addprefix $(DOCDIR)/docs:644:,$(wildcard docs/*.md)) \
              $(foreach folder,pictures figures,$(addprefix $(DOCDIR)/docs/$(folder):644:,$(wildcard docs/$(folder)/*)))

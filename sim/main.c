@@ -12,12 +12,12 @@
 #include "file.h"
 #include "machine.h"
 #include "options.h"
+#include "terminal.h"
 
-static const struct command {
-    const char *name;
-    int (*run)(int argc, char **argv, hs_error *err);
-    const char *what;
-} COMMANDS[] = {
+static int run_completion(int argc, char **argv, hs_error *err);
+static int run_man(int argc, char **argv, hs_error *err);
+
+static const hs_part COMMANDS[] = {
     {"run", hs_command_run, "a mesh and viewpoints through the engines: compare, time, show"},
     {"explore", hs_command_explore, "cycles over a space of micro-architectures, by the model"},
     {"mesh", hs_command_mesh, "look at meshes, make built-in ones, write OBJ"},
@@ -25,40 +25,18 @@ static const struct command {
     {"render", hs_command_render, "figures of meshes and streams, as PNG"},
     {"convert", hs_command_convert, "refined meshes for other programs: PLY, glTF, POV-Ray, OBJ"},
     {"report", hs_command_report, "a run as one HTML file: tables, plots, meshes to turn"},
+    {"completion", run_completion, "what completes all this in bash and zsh"},
+    {"man", run_man, "the manual page"},
+    {0},
 };
-enum { COMMAND_COUNT = sizeof COMMANDS / sizeof *COMMANDS };
+enum { COMMAND_COUNT = sizeof COMMANDS / sizeof *COMMANDS - 1 };
 
-static void print_help(void) {
-    printf("halfstep: view-dependent sqrt(2)-subdivision in hardware\n\n"
-           "  halfstep COMMAND [options]\n\n");
-    for (int i = 0; i < COMMAND_COUNT; i++)
-        printf("  %-8s %s\n", COMMANDS[i].name, COMMANDS[i].what);
-    printf("\n"
-           "  halfstep COMMAND --help      explains a command by examples\n"
-           "  halfstep --version\n\n"
-           "To begin with:\n"
-           "  halfstep run shape:hand --orbit 4 --out out/hand\n"
-           "      streams a hand through the rtl from four viewpoints, compares every word\n"
-           "      that comes out with the golden model, draws pictures in out/hand\n"
-           "  halfstep mesh info MESH.obj\n"
-           "      says what a mesh is like, or what is wrong with it\n\n"
-           "Exit codes:\n");
-#define CONSTANT(name, value, what)
-#define RECORD(name, value, what)
-#define STATUS(name, value, what, remedy)
-#define STAGE(name, index, what)
-#define ACTIVITY(name, index, what)
-#define REGISTER(name, address, access, what)
-#define PROBE(name, index, stage, what)
-#define EXIT(name, value, what) printf("  %d  %s\n", value, what);
-#include "definitions.def"
-#undef CONSTANT
-#undef RECORD
-#undef STATUS
-#undef STAGE
-#undef ACTIVITY
-#undef REGISTER
-#undef EXIT
+static int run_completion(int argc, char **argv, hs_error *err) {
+    return hs_command_completion(COMMANDS, argc, argv, err);
+}
+
+static int run_man(int argc, char **argv, hs_error *err) {
+    return hs_command_man(COMMANDS, argc, argv, err);
 }
 
 static int fail_command(const char *word, hs_error *err) {
@@ -80,7 +58,7 @@ static int run(int argc, char **argv, hs_error *err) {
     }
     if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0 ||
         strcmp(argv[1], "help") == 0) {
-        print_help();
+        hs_print_help(COMMANDS);
         return HS_EXIT_OK;
     }
     if (strcmp(argv[1], "--version") == 0) {
@@ -111,11 +89,13 @@ int main(int argc, char **argv) {
     hs_program.commit = HS_BUILD_COMMIT;
     hs_program.simulator = HS_BUILD_SIMULATOR;
     int code = run(argc, argv, &err);
-    if (err.text[0]) fprintf(stderr, "halfstep: %s\n", err.text);
+    if (err.text[0]) hs_print_error(&err);
     /* A table that nobody could read is not done. */
     if ((fflush(stdout) != 0 || ferror(stdout)) && code == HS_EXIT_OK) {
-        fprintf(stderr, "halfstep: cannot write to standard output\n");
         code = HS_EXIT_FILE;
+        hs_fail(&err, code,
+                "cannot write to standard output; make room, or send it to another place");
+        hs_print_error(&err);
     }
     return code;
 }

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "definitions.h"
+#include "options_help.h"
 
 enum { MOST_OPTIONS = 40, LONGEST_WORD = 40 };
 
@@ -74,12 +75,22 @@ const char *hs_nearest(const char *text, const char *const *word) {
     return nearest && best <= 1 + strlen(nearest) / 3 ? nearest : NULL;
 }
 
-int hs_subcommand(const char *prefix, const char *const *name, int argc, char **argv,
-                  hs_error *err) {
+int hs_part_run(const char *prefix, const hs_part *part, int argc, char **argv, hs_error *err) {
+    enum { MOST = 16 };
+    const char *name[MOST + 1] = {NULL};
     char list[300] = "";
-    for (int i = 0; name[i]; i++) {
-        if (argc > 1 && strcmp(argv[1], name[i]) == 0) return i;
+    for (int i = 0; i < MOST && part[i].name; i++) {
+        if (argc > 1 && strcmp(argv[1], part[i].name) == 0)
+            return part[i].run(argc - 1, argv + 1, err);
+        name[i] = part[i].name;
         snprintf(list + strlen(list), sizeof list - strlen(list), "%s%s", i ? ", " : "", name[i]);
+    }
+    static const char help[] = "--help";
+    hs_help_form form;
+    if (argc > 1 && (strcmp(argv[1], "-h") == 0 || strncmp(argv[1], help, strlen(help)) == 0) &&
+        hs_help_form_parse(strchr(argv[1], '=') ? strchr(argv[1], '=') + 1 : NULL, &form)) {
+        hs_help_print_parts(form, prefix, part);
+        return HS_EXIT_OK;
     }
     const char *nearest = argc > 1 ? hs_nearest(argv[1], name) : NULL;
     if (argc < 2)
@@ -91,33 +102,7 @@ int hs_subcommand(const char *prefix, const char *const *name, int argc, char **
     else
         hs_fail(err, HS_EXIT_USAGE, "%s: no command \"%.40s\"; there are %s", prefix, argv[1],
                 list);
-    return -1;
-}
-
-/* --- Help ---------------------------------------------------------------------------------------
- */
-
-static void print_option(const hs_option *o) {
-    char head[60], letter[5] = "    ";
-    if (o->letter) snprintf(letter, sizeof letter, "-%c, ", o->letter);
-    snprintf(head, sizeof head, "  %s--%s%s%s", letter, o->name, o->argument ? " " : "",
-             o->argument ? o->argument : "");
-    printf("%-30s", head);
-    if (strlen(head) > 29) printf("\n%30s", "");
-    for (const char *c = o->what; *c; c++) {
-        putchar(*c);
-        if (*c == '\n' && c[1]) printf("%30s", "");
-    }
-    if (!*o->what || o->what[strlen(o->what) - 1] != '\n') putchar('\n');
-}
-
-static void print_help(const hs_command *command, const hs_option *option) {
-    printf("halfstep %s%s%s%s\n\n%s.\n\n", command->name, *command->operands ? " " : "",
-           command->operands, option->name ? " [options]" : "", command->what);
-    for (const hs_option *o = option; o->name; o++)
-        print_option(o);
-    print_option(&(hs_option){.name = "help", .letter = 'h', .what = "this text"});
-    if (*command->text) printf("\n%s", command->text);
+    return err->code;
 }
 
 /* --- Parsing ------------------------------------------------------------------------------------
@@ -189,7 +174,7 @@ enum hs_parsed hs_options_parse(const hs_command *command, const hs_option *opti
             strcat(letters, letter);
         }
     }
-    table[options] = (struct option){"help", no_argument, NULL, 'h'};
+    table[options] = (struct option){"help", optional_argument, NULL, 'h'};
     table[options + 1] = (struct option){0};
 
     opterr = 0;
@@ -198,7 +183,12 @@ enum hs_parsed hs_options_parse(const hs_command *command, const hs_option *opti
         const int code = getopt_long(argc, argv, letters, table, NULL);
         if (code == -1) break;
         if (code == 'h') {
-            print_help(command, option);
+            hs_help_form form;
+            if (!hs_help_form_parse(optarg, &form)) {
+                hs_fail(err, HS_EXIT_USAGE, "%s: --help takes no value", command->name);
+                return HS_PARSED_WRONG;
+            }
+            hs_help_print(form, command, option);
             return HS_PARSED_HELP;
         }
         if (code == ':') {
@@ -208,9 +198,9 @@ enum hs_parsed hs_options_parse(const hs_command *command, const hs_option *opti
         if (code == '?') {
             const char letter[3] = {'-', (char)optopt, '\0'};
             const char *word = optopt ? letter : argv[optind - 1];
-            if (optopt >= 256 || optopt == 'h') {
+            if (optopt >= 256) {
                 hs_fail(err, HS_EXIT_USAGE, "%s: --%s takes no value", command->name,
-                        optopt == 'h' ? "help" : option[optopt - 256].name);
+                        option[optopt - 256].name);
                 return HS_PARSED_WRONG;
             }
             return unknown(command, option, word, err);

@@ -51,7 +51,8 @@ enum hs_parsed { HS_PARSED, HS_PARSED_HELP, HS_PARSED_WRONG };
 
 /* Parses argv[1..]. Options may stand anywhere; a name may be shortened while it is unique.
  * option ends with a NULL name. The operands end up in argv[*operand .. argc-1]. --help (and -h)
- * prints the help to stdout and gives HS_PARSED_HELP. Otherwise, if the line is wrong, *err says
+ * prints the help to stdout, --help=FORM (options_help.h) another form of it, and gives
+ * HS_PARSED_HELP. Otherwise, if the line is wrong, *err says
  * how it should be (HS_EXIT_USAGE). */
 enum hs_parsed hs_options_parse(const hs_command *command, const hs_option *option, int argc,
                                 char **argv, int *operand, hs_error *err);
@@ -66,9 +67,15 @@ bool hs_pair_parse(const char *text, char separator, uint32_t *first, uint32_t *
  * drop, change or swap; NULL if none is near. */
 const char *hs_nearest(const char *text, const char *const *word);
 
-/* Finds the subcommand that argv[1] names. list ends with a NULL name; names are those behind the
- * prefix ("mesh"). Gives its index; -1, with *err, if there is none. */
-int hs_subcommand(const char *prefix, const char *const *name, int argc, char **argv,
-                  hs_error *err);
+/* A command of the program, or a part of a command, as in "mesh info". */
+typedef struct hs_part {
+    const char *name;
+    int (*run)(int argc, char **argv, hs_error *err);
+    const char *what; /* one line, no full stop */
+} hs_part;
+
+/* Runs the part that argv[1] names; the list ends with a NULL name. --help lists the parts. Gives
+ * the exit code, with *err if there is no such part. */
+int hs_part_run(const char *prefix, const hs_part *part, int argc, char **argv, hs_error *err);
 
 #endif

@@ -13,7 +13,7 @@ double hs_seconds(void) {
 }
 
 void hs_progress_start(hs_progress *progress, bool quiet) {
-    *progress = (hs_progress){.on = !quiet && isatty(STDERR_FILENO)};
+    *progress = (hs_progress){.on = !quiet && isatty(STDERR_FILENO), .start = hs_seconds()};
 }
 
 void hs_progress_show(hs_progress *progress, const char *format, ...) {
@@ -30,6 +30,19 @@ void hs_progress_show(hs_progress *progress, const char *format, ...) {
     fflush(stderr);
     progress->shown = true;
     progress->latest = now;
+}
+
+void hs_progress_count(hs_progress *progress, uint64_t done, uint64_t fresh, uint64_t all,
+                       const char *things) {
+    const double seconds = hs_seconds() - progress->start;
+    const double rate = seconds > 0 ? (double)fresh / seconds : 0;
+    if (rate > 0)
+        hs_progress_show(progress, "%llu of %llu %s, %.3g a second, %.0f s left",
+                         (unsigned long long)done, (unsigned long long)all, things, rate,
+                         (double)(all - done) / rate);
+    else
+        hs_progress_show(progress, "%llu of %llu %s", (unsigned long long)done,
+                         (unsigned long long)all, things);
 }
 
 void hs_progress_clear(hs_progress *progress) {

@@ -7,6 +7,7 @@
 
 #include "run.h"
 #include "surface_options.h"
+#include "terminal.h"
 
 /* The engine whose counts the table shows: what golden says holds. */
 static const hs_engine_result *shown_engine(const hs_run_view *view) {
@@ -41,8 +42,12 @@ void hs_run_table_head(const hs_run *run) {
         if (r->engines >> e & 1)
             snprintf(engines + strlen(engines), sizeof engines - strlen(engines), "%s%s",
                      *engines ? ", " : "", hs_engine_name((enum hs_engine)e));
-    fprintf(run->table, "%s: %u faces, %u vertices; %s\n%s\n\n", r->mesh, run->mesh.faces,
-            run->mesh.vertices, engines, how);
+    char what[4400];
+    snprintf(what, sizeof what, "%.4000s: %u faces, %u vertices; %s", r->mesh, run->mesh.faces,
+             run->mesh.vertices, engines);
+    hs_print_wrapped(run->table, 0, 0, what);
+    hs_print_wrapped(run->table, 0, 0, how);
+    fputc('\n', run->table);
     fprintf(run->table,
             "view     faces vertices    cycles c/face  face 1     bound ratio  kHz  result\n");
     fflush(run->table);
@@ -91,20 +96,26 @@ void hs_run_table_view(const hs_run *run, const hs_run_view *view) {
                                   .bound = view->bound.total,
                                   .seconds = view->engine[timed].seconds});
     const char *result = view->comparisons ? "equal" : "done";
+    hs_colour colour = view->comparisons ? HS_GREEN : HS_PLAIN;
     const bool equal = hs_run_view_equal(view);
-    if (!equal)
+    if (!equal) {
         result = "DIFFER";
-    else if (e->status == HS_STATUS_STOPPED)
-        result = "stopped";
-    else if (e->status != HS_STATUS_OK)
-        result = "REFUSED";
-    fprintf(run->table, "  %s\n", result);
+        colour = HS_RED;
+    } else if (e->status != HS_STATUS_OK) {
+        result = e->status == HS_STATUS_STOPPED ? "stopped" : "REFUSED";
+        colour = e->status == HS_STATUS_STOPPED ? HS_YELLOW : HS_RED;
+    }
+    fputs("  ", run->table);
+    hs_print_coloured(run->table, colour, 0, result);
+    fputc('\n', run->table);
     if (equal && e->status != HS_STATUS_OK) {
-        fprintf(run->table, "     note: %s: %s", hs_status_name(e->status),
-                hs_status_what(e->status));
+        char what[300], where[40] = "";
         if (e->error_position != HS_NO_POSITION)
-            fprintf(run->table, ", at word %u", e->error_position);
-        fprintf(run->table, "\n           %s\n", hs_status_remedy(e->status));
+            snprintf(where, sizeof where, ", at word %u", e->error_position);
+        snprintf(what, sizeof what, "%s: %s%s; %s", hs_status_name(e->status),
+                 hs_status_what(e->status), where, hs_status_remedy(e->status));
+        const int column = fprintf(run->table, "     note: ");
+        hs_print_wrapped(run->table, column, column, what);
     }
     fflush(run->table);
 }
@@ -126,17 +137,20 @@ static void add(total *t, const hs_comparison *c) {
 
 static void print_total(const hs_run *run, const total *t, const char *what) {
     if (!t->compared) return;
-    fprintf(run->table, "; ");
-    if (t->different)
-        fprintf(run->table, "%llu of %llu %s ", (unsigned long long)t->different,
-                (unsigned long long)t->compared, what);
-    else
-        fprintf(run->table, "all %llu %s ", (unsigned long long)t->compared, what);
+    char text[200];
+    int used =
+        t->different
+            ? snprintf(text, sizeof text, "%llu of %llu %s ", (unsigned long long)t->different,
+                       (unsigned long long)t->compared, what)
+            : snprintf(text, sizeof text, "all %llu %s ", (unsigned long long)t->compared, what);
     if (t->pairs)
-        fprintf(run->table, "%s", t->different ? "differ between engines" : "are equal");
+        snprintf(text + used, sizeof text - (size_t)used, "%s",
+                 t->different ? "differ between engines" : "are equal");
     else
-        fprintf(run->table, "of %s %s %s's", hs_engine_name(t->b),
-                t->different ? "differ from" : "equal", hs_engine_name(t->a));
+        snprintf(text + used, sizeof text - (size_t)used, "of %s %s %s's", hs_engine_name(t->b),
+                 t->different ? "differ from" : "equal", hs_engine_name(t->a));
+    hs_print_coloured(run->table, t->different ? HS_RED : HS_GREEN, 0, text);
+    fputc('\n', run->table);
 }
 
 void hs_run_table_total(const hs_run *run) {
@@ -165,11 +179,10 @@ void hs_run_table_total(const hs_run *run) {
         print_figures(run, &sum);
         fprintf(run->table, "\n");
     }
-    fprintf(run->table, "\n%u view%s in %.1f s", run->done, run->done == 1 ? "" : "s",
+    fprintf(run->table, "\n%u view%s in %.1f s\n", run->done, run->done == 1 ? "" : "s",
             run->seconds);
     print_total(run, &words, "words");
     print_total(run, &transactions, "transactions");
-    fprintf(run->table, "\n");
     double farthest = 0, bound_distance = 0, pixels = 0;
     uint64_t components = 0, equal = 0;
     for (uint32_t i = 0; i < run->done; i++) {
@@ -182,13 +195,15 @@ void hs_run_table_total(const hs_run *run) {
         components += c->components;
         equal += c->equal;
     }
-    if (components)
-        fprintf(run->table,
-                "reference: golden is at most %.2g pixels (of 1024) away, %.0f%% of the bound of "
-                "%.2g;\n%.1f%% of its components are the rounded double; %llu of %llu faces would "
-                "be decided\notherwise in doubles\n",
-                pixels, 100 * farthest, bound_distance, 100 * (double)equal / (double)components,
-                (unsigned long long)other, (unsigned long long)decided);
+    if (!components) return;
+    char text[400];
+    snprintf(text, sizeof text,
+             "reference: golden is at most %.2g pixels (of 1024) away, %.0f%% of the bound of "
+             "%.2g; %.1f%% of its components are the rounded double; %llu of %llu faces would be "
+             "decided otherwise in doubles",
+             pixels, 100 * farthest, bound_distance, 100 * (double)equal / (double)components,
+             (unsigned long long)other, (unsigned long long)decided);
+    hs_print_wrapped(run->table, 0, 0, text);
 }
 
 /* --- Running one view again ---------------------------------------------------------------------
