@@ -61,7 +61,8 @@ static void a_page_with_nothing_to_check_is_a_fault(void **state) {
 static void a_command_that_fails_is_found(void **state) {
     (void)state;
     page("```sh\ntrue # yes\nmake test\necho a \\\n    b\n```\n");
-    expect_line(0, "tests/docs/check run @/page.md", "2 commands run, 1 named as not to be run");
+    expect_line(0, "tests/docs/check run @/page.md",
+                "2 commands of 1 pages run, 1 named as not to be run");
     page("```sh\ntrue\ncat no-such-file\ntrue\n```\n");
     expect_line(1, "tests/docs/check run @/page.md", "page.md:3: cat no-such-file ended with 1");
     page("```text\nfalse\n```\n");
