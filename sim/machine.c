@@ -13,7 +13,7 @@
 #else
 #define COMPILER "gcc " __VERSION__
 #endif
-hs_program_info hs_program = {"unknown", COMPILER, "unknown"};
+hs_program_info hs_program = {"halfstep", "unknown", COMPILER, "unknown"};
 
 /* The first line "model name : TEXT". */
 static void read_processor(char *text, size_t size) {

@@ -9,6 +9,7 @@
 
 /* The program. main says what it was built from; tests leave it as it is. */
 typedef struct hs_program_info {
+    const char *name;      /* as it was called, to call it again */
     const char *commit;    /* a + behind it: of changed files */
     const char *compiler;  /* of the C code */
     const char *simulator; /* of the RTL */

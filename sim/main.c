@@ -86,6 +86,7 @@ static void watch_signals(void) {
 int main(int argc, char **argv) {
     hs_error err = {0};
     watch_signals();
+    if (argc > 0) hs_program.name = argv[0];
     hs_program.commit = HS_BUILD_COMMIT;
     hs_program.simulator = HS_BUILD_SIMULATOR;
     int code = run(argc, argv, &err);

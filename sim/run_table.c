@@ -5,6 +5,7 @@
  */
 #include <string.h>
 
+#include "machine.h"
 #include "run.h"
 #include "surface_options.h"
 #include "terminal.h"
@@ -229,8 +230,10 @@ static void print_word(const char *word) {
 
 void hs_run_print_rerun(const hs_run *run, uint32_t number, uint64_t cycle) {
     const hs_run_request *r = run->request;
-    fprintf(stderr, "to run this view alone%s:\n  build/halfstep run",
+    fprintf(stderr, "to run this view alone%s:\n ",
             cycle == HS_NO_CYCLE ? "" : ", with a waveform of the cycles around");
+    print_word(hs_program.name);
+    fputs(" run", stderr);
     print_word(r->mesh);
     if (r->views) {
         fputs(" --views", stderr);

@@ -55,6 +55,10 @@ static void the_shared_library_gives_its_own_names_alone(void **state) {
 static void the_installed_program_runs_elsewhere(void **state) {
     (void)state;
     expect_line(0, INSTALL "cd @ && " ROOT "/bin/halfstep run shape:cube", "equal");
+    expect_line(0, "cp build/halfstep-faulty " ROOT "/bin/odd", "");
+    expect_line(1,
+                "cd / && HS_FAULT=model-word " ROOT "/bin/odd run shape:cube --engine golden,model",
+                "opt/half/bin/odd run shape:cube --orbit 1");
     expect_line(0, ROOT "/bin/halfstep man | cmp - " ROOT "/share/man/man1/halfstep.1", "");
     expect_line(0, "bash -n " ROOT "/share/bash-completion/completions/halfstep", "");
     expect_line(0, "head -1 " ROOT "/share/zsh/site-functions/_halfstep", "#compdef halfstep");
