@@ -16,6 +16,7 @@ int hs_command_trace(int argc, char **argv, hs_error *err);
 int hs_command_explore(int argc, char **argv, hs_error *err);
 int hs_command_render(int argc, char **argv, hs_error *err);
 int hs_command_convert(int argc, char **argv, hs_error *err);
+int hs_command_explain(int argc, char **argv, hs_error *err);
 int hs_command_report(int argc, char **argv, hs_error *err);
 
 /* These tell of all commands; the list ends with a NULL name. */

@@ -24,6 +24,7 @@ static const hs_part COMMANDS[] = {
     {"trace", hs_command_trace, "packets in files: make, check, show as text, build from text"},
     {"render", hs_command_render, "figures of meshes and streams, as PNG"},
     {"convert", hs_command_convert, "refined meshes for other programs: PLY, glTF, POV-Ray, OBJ"},
+    {"explain", hs_command_explain, "why a face was refined in a view, or was not"},
     {"report", hs_command_report, "a run as one HTML file: tables, plots, meshes to turn"},
     {"completion", run_completion, "what completes all this in bash and zsh"},
     {"man", run_man, "the manual page"},
