@@ -2,11 +2,9 @@
  *
  * halfstep explain: does what it says agree with what golden decided and sent, face by face?
  */
-#include "folder.h"
+#include "cli.h"
 
-#include <jansson.h>
 #include <math.h>
-#include <sys/wait.h>
 
 #include "explain.h"
 #include "pick.h"
@@ -280,38 +278,21 @@ static void a_triangle_that_reaches_behind_the_eye_is_seen_in_front_of_it_alone(
 
 /* --- The command ------------------------------------------------------------------------------ */
 
-static folder place;
-static char text[400000];
-
-static int halfstep(const char *arguments) {
-    char line[4100];
-    snprintf(line, sizeof line, "timeout 120 build/halfstep %s 2>&1",
-             with_folder(&place, arguments));
-    FILE *pipe = popen(line, "r");
-    assert_non_null(pipe);
-    text[fread(text, 1, sizeof text - 1, pipe)] = 0;
-    const int status = pclose(pipe);
-    assert_true(WIFEXITED(status));
-    return WEXITSTATUS(status);
-}
-
-static void expect(int code, const char *arguments, const char *what) {
-    const int got = halfstep(arguments);
-    if (got != code || !strstr(text, what))
-        fail_msg("halfstep %s: exit code %d, not %d, or no \"%s\" in\n%s", arguments, got, code,
-                 what, text);
-    for (const char *c = text; code == HS_EXIT_OK && *c; c += strcspn(c, "\n") + 1)
+/* Succeeds, says what it should, and stays within 80 columns. */
+static void expect_text(const char *arguments, const char *what) {
+    expect(HS_EXIT_OK, arguments, what);
+    for (const char *c = output; *c; c += strcspn(c, "\n") + (c[strcspn(c, "\n")] == '\n'))
         if (strcspn(c, "\n") > 80) fail_msg("more than 80 columns: %.100s", c);
 }
 
 static void the_command_tells_it_in_80_columns(void **state) {
     (void)state;
-    expect(HS_EXIT_OK, "explain shape:hand --face 77", "what lies in it");
-    expect(HS_EXIT_OK, "explain shape:hand --orbit 5 --view 2 --output-face 1200", "half-edge");
-    expect(HS_EXIT_OK, "explain shape:hand --pixel 384,384", "pixel 384,384: face ");
-    expect(HS_EXIT_OK, "explain shape:spoon --output-face 500 --boundary smooth", "initial face");
-    expect(HS_EXIT_OK, "explain shape:hand --uniform 4 --face 3", "uniform depth 4");
-    expect(HS_EXIT_OK, "explain --help", "--pixel");
+    expect_text("explain shape:hand --face 77", "what lies in it");
+    expect_text("explain shape:hand --orbit 5 --view 2 --output-face 1200", "half-edge");
+    expect_text("explain shape:hand --pixel 384,384", "pixel 384,384: face ");
+    expect_text("explain shape:spoon --output-face 500 --boundary smooth", "initial face");
+    expect_text("explain shape:hand --uniform 4 --face 3", "uniform depth 4");
+    expect_text("explain --help", "--pixel");
 }
 
 static void what_is_wrong_with_the_question_is_said(void **state) {
@@ -340,10 +321,8 @@ static void json_has_the_facts(void **state) {
              "explain shape:hand --orbit 5 --view 2 --front 3 --silhouette 6 --face 4:%u --json "
              "@/e.json",
              face);
-    expect(HS_EXIT_OK, arguments, "guard ring: vertex");
-    json_error_t why;
-    json_t *root = json_load_file(inside(&place, "e.json"), 0, &why);
-    if (!root) fail_msg("%s", why.text);
+    expect_text(arguments, "guard ring: vertex");
+    json_t *root = read_json("e.json");
     json_t *faces = json_object_get(root, "faces");
     json_t *last = json_array_get(faces, json_array_size(faces) - 1);
     assert_int_equal(json_integer_value(json_object_get(last, "face")), face);
@@ -367,17 +346,6 @@ static void json_has_the_facts(void **state) {
     }
     json_decref(root);
     free_sample(&s);
-}
-
-static int set_up(void **state) {
-    (void)state;
-    place = make_folder();
-    return 0;
-}
-
-static int tear_down(void **state) {
-    (void)state;
-    return remove_folder(&place);
 }
 
 int main(void) {
