@@ -7,10 +7,10 @@
 
 #include "commands.h"
 #include "file.h"
-#include "mesh_source.h"
 #include "options.h"
 #include "report_json.h"
 #include "run.h"
+#include "run_mesh.h"
 #include "run_timeline.h"
 #include "surface_options.h"
 
@@ -20,7 +20,8 @@ static const hs_command COMMAND = {
     .least = 1,
     .most = 1,
     .what = "Streams a mesh, viewpoint by viewpoint, through the engines and compares them",
-    .text = "MESH is an OBJ file or shape:NAME[:SIZE[:SEED]] (`halfstep mesh list`).\n"
+    .text = "MESH is an OBJ file, shape:NAME[:SIZE[:SEED]] (`halfstep mesh list`), or a pattern\n"
+            "with %d for a mesh that deforms.\n"
             "\n"
             "Engines: reference  doubles, the paper to the letter; replays golden's decisions\n"
             "         golden     integers in C: what every output word has to be\n"
@@ -39,6 +40,8 @@ static const hs_command COMMAND = {
             "  halfstep run bob.obj --views my.txt --stalls 30,50 --seed 7\n"
             "      your own viewpoints (docs/command-line.md), both sides of the streams\n"
             "      pausing at random in 30 and 50 % of the cycles\n"
+            "  halfstep run 'frame_%04d.obj' --out out/frames\n"
+            "      a mesh a view: frame_0000.obj, frame_0001.obj and so on\n"
             "  halfstep run shape:hand --engine model --timeline hand.json --kanata hand.log\n"
             "      what was at work when: for Perfetto, and for Konata (docs/timeline.md)\n"
             "\n"
@@ -231,10 +234,8 @@ static bool try_file(const char *path, bool whole, hs_error *err) {
     return good;
 }
 
-static bool open_views(hs_run *run, hs_error *err) {
+static bool check_views(const hs_run *run, hs_error *err) {
     const hs_run_request *r = run->request;
-    const double aspect = (double)r->width / (double)r->height;
-    if (!hs_views_open(&run->views, r->views, r->orbit, &run->mesh, aspect, err)) return false;
     if (r->only != UINT32_MAX && r->only >= run->views.count)
         return hs_fail(err, HS_EXIT_USAGE, "--view %u: there are views 0 to %u", r->only,
                        run->views.count - 1);
@@ -248,10 +249,7 @@ static bool open_views(hs_run *run, hs_error *err) {
 
 static bool prepare(hs_run *run, hs_error *err) {
     const hs_run_request *r = run->request;
-    if (!hs_mesh_open(&run->mesh, r->mesh, r->round_sharpness, r->quiet, err)) return false;
-    if (r->force && !hs_mesh_force(&run->mesh, r->force, err)) return false;
-    if (!open_views(run, err)) return false;
-    run->depth = hs_view_depth(&r->settings, &run->mesh);
+    if (!hs_run_mesh_open(run, err) || !check_views(run, err)) return false;
     if (r->out) {
         char path[4096];
         if (!hs_folder_make(r->out, err) || !hs_folder_lock(r->out, &run->folder_lock, err))
@@ -299,7 +297,7 @@ static bool run_views(hs_run *run, hs_error *err) {
     for (uint32_t number = first; number < end && equal; number++) {
         hs_progress_count(&run->progress, number - first, number - first, end - first, "views");
         hs_run_view *view = &run->view[run->done];
-        const bool good = hs_run_one(run, number, view, err);
+        const bool good = hs_run_mesh_enter(run, number, err) && hs_run_one(run, number, view, err);
         hs_progress_clear(&run->progress);
         if (!good) {
             hs_run_view_free(view);

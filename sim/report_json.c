@@ -68,9 +68,25 @@ static json_t *settings_of(report *r, const hs_run *run) {
 static json_t *mesh_of(report *r, const hs_run *run) {
     json_t *m = json_object();
     set_text(r, m, "source", run->request->mesh);
-    set_count(r, m, "vertices", run->mesh.vertices);
-    set_count(r, m, "faces", run->mesh.faces);
-    set_count(r, m, "halfedges", run->mesh.halfedges);
+    set(r, m, "frames", run->frames.count ? json_integer(run->frames.count) : json_null());
+    /* Of a deforming mesh, the first that ran. */
+    set_count(r, m, "vertices", run->done ? run->view[0].mesh_vertices : run->mesh.vertices);
+    set_count(r, m, "faces", run->done ? run->view[0].mesh_faces : run->mesh.faces);
+    set_count(r, m, "halfedges", run->done ? run->view[0].mesh_halfedges : run->mesh.halfedges);
+    return m;
+}
+
+/* The view's own mesh, where it has one. */
+static json_t *frame_of(report *r, const hs_run *run, const hs_run_view *view) {
+    char name[4096];
+    hs_error ignored;
+    json_t *m = json_object();
+    const bool named = hs_frames_name(&run->frames, run->frames.count > 1 ? view->number : 0, name,
+                                      sizeof name, &ignored);
+    set_text(r, m, "source", named ? name : NULL);
+    set_count(r, m, "vertices", view->mesh_vertices);
+    set_count(r, m, "faces", view->mesh_faces);
+    set_count(r, m, "halfedges", view->mesh_halfedges);
     return m;
 }
 
@@ -228,6 +244,7 @@ static json_t *view_of(report *r, const hs_run *run, const hs_run_view *view) {
     for (int i = 0; i < 16; i++)
         append(r, matrix, json_real((double)run->views.view[view->number].matrix[i]));
     set(r, v, "matrix", matrix);
+    if (run->frames.count) set(r, v, "mesh", frame_of(r, run, view));
     set(r, v, "exponent", json_integer(view->exponent));
     set_count(r, v, "words_in", view->words_in);
     set_count(r, v, "bound", view->bound.total);

@@ -14,6 +14,7 @@
 #include "bound.h"
 #include "compare.h"
 #include "file.h"
+#include "frames.h"
 #include "model.h"
 #include "progress.h"
 #include "reference.h"
@@ -83,7 +84,8 @@ typedef struct hs_latency {
 
 /* Everything known of one view. */
 typedef struct hs_run_view {
-    uint32_t number; /* from 0; TID of its packets */
+    uint32_t number;                                    /* from 0; TID of its packets */
+    uint32_t mesh_vertices, mesh_faces, mesh_halfedges; /* of what went in */
     hs_engine_result engine[HS_ENGINES];
     uint32_t generations;
     hs_generation *generation; /* golden's; owned */
@@ -109,7 +111,8 @@ typedef struct hs_run_timelines {
 
 typedef struct hs_run {
     const hs_run_request *request;
-    hs_mesh mesh;
+    hs_frames frames; /* of a deforming mesh */
+    hs_mesh mesh;     /* of a deforming one: the view's */
     hs_views views;
     uint32_t depth; /* that the views ask for */
     hs_golden *golden;

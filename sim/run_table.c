@@ -43,12 +43,16 @@ void hs_run_table_head(const hs_run *run) {
         if (r->engines >> e & 1)
             snprintf(engines + strlen(engines), sizeof engines - strlen(engines), "%s%s",
                      *engines ? ", " : "", hs_engine_name((enum hs_engine)e));
-    char what[4400];
-    snprintf(what, sizeof what, "%.4000s: %u faces, %u vertices; %s", r->mesh, run->mesh.faces,
-             run->mesh.vertices, engines);
+    char what[4400], meshes[80] = "";
+    if (run->frames.count)
+        snprintf(meshes, sizeof meshes, "%u meshes, %u to %u, the first of ", run->frames.count,
+                 run->frames.first, run->frames.first + run->frames.count - 1);
+    snprintf(what, sizeof what, "%.4000s: %s%u faces, %u vertices; %s", r->mesh, meshes,
+             run->mesh.faces, run->mesh.vertices, engines);
     hs_print_wrapped(run->table, 0, 0, what);
     hs_print_wrapped(run->table, 0, 0, how);
-    fputc('\n', run->table);
+    fputc('
+', run->table);
     fprintf(run->table,
             "view     faces vertices    cycles c/face  face 1     bound ratio  kHz  result\n");
     fflush(run->table);

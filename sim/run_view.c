@@ -378,7 +378,10 @@ static bool work_on(work *w, hs_error *err) {
 }
 
 bool hs_run_one(hs_run *run, uint32_t number, hs_run_view *view, hs_error *err) {
-    *view = (hs_run_view){.number = number};
+    *view = (hs_run_view){.number = number,
+                          .mesh_vertices = run->mesh.vertices,
+                          .mesh_faces = run->mesh.faces,
+                          .mesh_halfedges = run->mesh.halfedges};
     work w = {.run = run, .view = view};
     const bool good = work_on(&w, err);
     hs_packet_free(&w.in);
