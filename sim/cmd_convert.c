@@ -9,6 +9,7 @@
 
 #include "commands.h"
 #include "convert_write.h"
+#include "drop.h"
 #include "mesh_source.h"
 #include "options.h"
 #include "refine.h"
@@ -39,6 +40,7 @@ typedef struct request {
     uint32_t orbit, view, width, height;
     format format;
     hs_space space;
+    hs_drop drop;
     bool text, quiet, round_sharpness;
     hs_settings settings;
 } request;
@@ -47,7 +49,7 @@ typedef struct request {
 
 /* Options whose values are looked at behind the table. */
 typedef struct texts {
-    const char *to, *space, *size;
+    const char *to, *space, *size, *drop;
     bool views_given, orbit_given;
     hs_surface_options surface;
 } texts;
@@ -89,7 +91,7 @@ static bool choose_format(request *r, const char *to, hs_error *err) {
 
 static bool complete(request *r, const texts *t, hs_error *err) {
     if (!r->file) return hs_fail(err, HS_EXIT_USAGE, "halfstep convert: where to? add -o FILE");
-    if (!choose_format(r, t->to, err)) return false;
+    if (!choose_format(r, t->to, err) || !hs_drop_parse(t->drop, &r->drop, err)) return false;
     if (!hs_space_parse(t->space, &r->space))
         return hs_fail(err, HS_EXIT_USAGE, "--space is \"%.40s\"; it should be object, ndc or clip",
                        t->space);
@@ -131,6 +133,7 @@ static enum hs_parsed parse(request *r, int argc, char **argv, hs_error *err) {
          "viewpoints from a file: `matrix` or `look` lines"},
         {"view", 0, HS_OPTION_NUMBER, "N", &r->view, 0, 65535, NULL, "which of them (0)"},
         HS_REFINED_OPTIONS(t.surface, r->round_sharpness, r->force),
+        HS_DROP_OPTION(t.drop, "the file"),
         {"size", 0, HS_OPTION_TEXT, "WxH", &t.size, 0, 0, NULL,
          "pixels of the view's picture (768x768)"},
         {"quiet", 'q', HS_OPTION_FLAG, NULL, &r->quiet, 0, 0, NULL, "no notes"},
@@ -170,8 +173,22 @@ static bool write_scene(const request *r, const hs_scene *scene, hs_error *err) 
     }
 }
 
-static void tell(const request *r, const hs_output *output, const hs_scene *scene) {
+/* Without the faces that are to be dropped; there must be others. */
+static bool drop(hs_output *output, hs_dropped *dropped, const request *r, hs_error *err) {
+    if (!hs_output_drop(output, &r->drop, dropped, err)) return false;
+    return output->faces || dropped->faces == 0 ||
+           hs_fail(err, HS_EXIT_VIEWS,
+                   "--drop leaves no face: %u are off screen, %u back-facing; drop less, or choose "
+                   "another view",
+                   dropped->offscreen, dropped->back);
+}
+
+static void tell(const request *r, const hs_output *output, const hs_dropped *dropped,
+                 const hs_scene *scene) {
     if (r->quiet) return;
+    if (r->drop.offscreen || r->drop.back)
+        fprintf(stderr, "note: dropped of %u faces: %u off screen, %u back-facing; %u vertices\n",
+                dropped->faces, dropped->offscreen, dropped->back, dropped->vertices);
     if (output->status == HS_STATUS_STOPPED)
         fprintf(stderr, "note: %s: %s; %s\n", r->source, hs_status_what(HS_STATUS_STOPPED),
                 hs_status_remedy(HS_STATUS_STOPPED));
@@ -188,15 +205,16 @@ static void tell(const request *r, const hs_output *output, const hs_scene *scen
 
 static bool convert(const request *r, hs_error *err) {
     hs_output output = {0};
+    hs_dropped dropped;
     hs_view view;
     hs_scene scene = {0};
     const hs_scene_options options = {.space = r->space,
                                       .cut = r->format == GLTF || r->format == POV,
                                       .depths_apart = r->format == GLTF};
-    const bool done = refine(&output, &view, r, err) &&
+    const bool done = refine(&output, &view, r, err) && drop(&output, &dropped, r, err) &&
                       hs_scene_make(&scene, &output, view.matrix, &options, err) &&
                       write_scene(r, &scene, err);
-    if (done) tell(r, &output, &scene);
+    if (done) tell(r, &output, &dropped, &scene);
     hs_scene_free(&scene);
     hs_output_free(&output);
     return done;

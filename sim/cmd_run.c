@@ -89,7 +89,7 @@ bool hs_engines_parse(const char *list, uint32_t *engines, hs_error *err) {
 
 /* Texts that need more than a range check. */
 typedef struct texts {
-    const char *engines, *size, *stalls, *window;
+    const char *engines, *size, *stalls, *window, *drop;
     hs_surface_options surface;
     bool orbit_given, seed_given, only_given;
 } texts;
@@ -140,6 +140,9 @@ static bool complete(hs_run_request *r, const texts *t, hs_error *err) {
         return hs_fail(err, HS_EXIT_USAGE,
                        "only one of --json, --timeline, --kanata and --timeline-svg can go to "
                        "standard output; give the others a file");
+    if (t->drop && !r->out)
+        return hs_fail(err, HS_EXIT_USAGE, "--drop leaves faces out of mesh.obj; add --out DIR");
+    if (!hs_drop_parse(t->drop, &r->drop, err)) return false;
     if (r->views && t->orbit_given)
         return hs_fail(err, HS_EXIT_USAGE, "--views and --orbit exclude each other; give one");
     return hs_surface_settings(&r->settings, &t->surface, r->force != NULL, r->width, r->height,
@@ -183,6 +186,7 @@ static enum hs_parsed parse(hs_run_request *r, int argc, char **argv, hs_error *
          "reference, golden, model, rtl (golden,model,rtl)"},
         {"out", 'o', HS_OPTION_TEXT, "DIR", &r->out, 0, 0, NULL,
          "folder for views, meshes, pictures and run.json"},
+        HS_DROP_OPTION(t.drop, "mesh.obj"),
         {"json", 'j', HS_OPTION_TEXT, "FILE", &r->json, 0, 0, NULL,
          "report with all figures (DIR/run.json)"},
         {"size", 0, HS_OPTION_TEXT, "WxH", &t.size, 0, 0, NULL,

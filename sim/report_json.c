@@ -255,6 +255,11 @@ static json_t *view_of(report *r, const hs_run *run, const hs_run_view *view) {
     set(r, v, "engines", engines);
     set(r, v, "generations", generations_of(r, view));
     set(r, v, "comparisons", comparisons_of(r, view));
+    if (run->request->drop.offscreen || run->request->drop.back)
+        set(r, v, "dropped",
+            json_pack("{s:I,s:I,s:I}", "offscreen", (json_int_t)view->dropped.offscreen, "back",
+                      (json_int_t)view->dropped.back, "vertices",
+                      (json_int_t)view->dropped.vertices));
     if (view->pictures) set(r, v, "pictures", pictures_of(r, view->pictures));
     return v;
 }

@@ -13,6 +13,7 @@
 
 #include "bound.h"
 #include "compare.h"
+#include "drop.h"
 #include "file.h"
 #include "frames.h"
 #include "model.h"
@@ -49,6 +50,7 @@ typedef struct hs_run_request {
     uint32_t engines;          /* bits 1 << engine */
     uint32_t reference_levels; /* of the pictures' reference surface */
     hs_settings settings;
+    hs_drop drop; /* from mesh.obj */
     hs_limits limits;
     hs_stalls stalls;
     uint32_t wave_first, wave_last; /* cycles of the view */
@@ -99,6 +101,7 @@ typedef struct hs_run_view {
     hs_reference_comparison reference; /* if reference and golden were compared */
     uint32_t comparisons;
     hs_comparison comparison[HS_RUN_COMPARISONS];
+    hs_dropped dropped;               /* from mesh.obj */
     hs_run_pictures_report *pictures; /* owned; NULL if there are none */
 } hs_run_view;
 

@@ -158,6 +158,20 @@ static void print_total(const hs_run *run, const total *t, const char *what) {
     fputc('\n', run->table);
 }
 
+/* What mesh.obj is without. */
+static void print_dropped(const hs_run *run) {
+    uint64_t faces = 0, offscreen = 0, back = 0;
+    for (uint32_t i = 0; i < run->done; i++) {
+        faces += run->view[i].dropped.faces;
+        offscreen += run->view[i].dropped.offscreen;
+        back += run->view[i].dropped.back;
+    }
+    if (run->request->drop.offscreen || run->request->drop.back)
+        fprintf(run->table,
+                "mesh.obj: of %llu faces, %llu off screen and %llu back-facing dropped\n",
+                (unsigned long long)faces, (unsigned long long)offscreen, (unsigned long long)back);
+}
+
 void hs_run_table_total(const hs_run *run) {
     figures sum = {.first_face = HS_NO_CYCLE}; /* no sum says anything about latencies */
     const enum hs_engine timed = timed_engine(run);
@@ -188,6 +202,7 @@ void hs_run_table_total(const hs_run *run) {
             run->seconds);
     print_total(run, &words, "words");
     print_total(run, &transactions, "transactions");
+    print_dropped(run);
     double farthest = 0, bound_distance = 0, pixels = 0;
     uint64_t components = 0, equal = 0;
     for (uint32_t i = 0; i < run->done; i++) {

@@ -330,8 +330,11 @@ static bool write_folder(work *w, hs_error *err) {
         const enum hs_engine engine = PIPELINES[i];
         if (!w->view->engine[engine].ran) continue;
         snprintf(path, sizeof path, "%s/mesh.obj", folder);
+        /* Faces are dropped last: pictures show all. */
         return write_stream(&w->packet[engine], folder, "output.hss", err) &&
-               hs_obj_write_output(path, &w->output[engine], err) && write_pictures(w, folder, err);
+               write_pictures(w, folder, err) &&
+               hs_output_drop(&w->output[engine], &w->run->request->drop, &w->view->dropped, err) &&
+               hs_obj_write_output(path, &w->output[engine], err);
     }
     return true;
 }
