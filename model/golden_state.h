@@ -193,12 +193,16 @@ static inline hs_kind hs_vertex_kind(const hs_state *s, uint32_t v) {
     return hs_is_sharp(s->crease[v], hs_level(s)) ? KIND_CREASE : KIND_SMOOTH;
 }
 
-/* What was sent was held once, and stays: no face that has left may be pulled at a corner. A vertex
- * of valence 1, which only a face with a vertex twice can have, stays because the mask is no
- * average there. sent: as it was before this generation's smooth. */
+/* All around the vertex goes on. What was sent was held once, and stays: no face that has left may
+ * be pulled at a corner. sent: as it was before this generation's smooth. */
+static inline bool hs_is_free(const hs_state *s, const uint8_t *sent, uint32_t v) {
+    return !s->finish && !(s->mark[v] & (MARK_HELD | MARK_BORDER)) && !sent[v];
+}
+
+/* A vertex of valence 1, which only a face with a vertex twice can have, stays because the mask is
+ * no average there. */
 static inline bool hs_may_move(const hs_state *s, const uint8_t *sent, uint32_t v) {
-    return !s->finish && !(s->mark[v] & (MARK_HELD | MARK_BORDER)) && !sent[v] &&
-           (s->valence[v] > 1 || hs_vertex_kind(s, v) == KIND_CREASE) &&
+    return hs_is_free(s, sent, v) && (s->valence[v] > 1 || hs_vertex_kind(s, v) == KIND_CREASE) &&
            hs_vertex_kind(s, v) != KIND_STAYS;
 }
 

@@ -28,9 +28,9 @@ static uint32_t *nones(hs_history *history, size_t count) {
 }
 
 static void free_past(hs_past *p) {
-    void *const array[] = {p->first,  p->sides,  p->origin, p->twin,      p->child,
-                           p->parent, p->within, p->term,   p->face_mark, p->decision,
-                           p->forced, p->number, p->mark,   p->output,    p->triangle};
+    void *const array[] = {p->first,  p->sides, p->origin,    p->twin,     p->child,  p->parent,
+                           p->within, p->term,  p->face_mark, p->decision, p->forced, p->number,
+                           p->mark,   p->free,  p->output,    p->triangle};
     for (size_t i = 0; i < sizeof array / sizeof *array; i++)
         free(array[i]);
     *p = (hs_past){0};
@@ -116,8 +116,11 @@ static void decided(void *context, const hs_state *s) {
     p->forced = copy(history, s->forced, s->faces, 1);
     p->number = copy(history, s->number, s->faces, sizeof *p->number);
     p->mark = copy(history, s->mark, s->vertices, 1);
+    p->free = room(history, s->vertices, 1);
     p->output = nones(history, s->faces);
     p->triangle = nones(history, s->halfedges);
+    for (uint32_t v = 0; v < s->vertices && !history->exhausted; v++)
+        p->free[v] = (s->mark[v] & MARK_ACTIVE) && hs_is_free(s, s->sent, v);
     for (uint32_t f = 0; f < s->faces && !history->exhausted; f++) {
         p->first[f] = hs_face_first(s, f);
         p->sides[f] = (uint8_t)hs_face_sides(s, f);
@@ -235,7 +238,7 @@ static bool enter_triangles(hs_history *history, const hs_output *output, uint32
     return true;
 }
 
-static bool check(hs_history *history, const hs_output *output, hs_error *err) {
+bool hs_history_check(hs_history *history, const hs_output *output, hs_error *err) {
     history->outputs = output->faces;
     history->status = output->status;
     history->origin = room(history, output->faces, sizeof *history->origin);
@@ -248,6 +251,10 @@ static bool check(hs_history *history, const hs_output *output, hs_error *err) {
                            "the record of the view is not what came out; this is a defect");
 }
 
+void hs_history_watch(hs_history *history, hs_golden *golden) {
+    hs_golden_observe(golden, &(hs_observer){history, false, NULL, decided, NULL, divided});
+}
+
 bool hs_history_record(hs_history *history, hs_output *output, const hs_mesh *mesh,
                        const float matrix[16], const hs_settings *settings, hs_limits limits,
                        hs_error *err) {
@@ -257,7 +264,7 @@ bool hs_history_record(hs_history *history, hs_output *output, const hs_mesh *me
     hs_golden_report report;
     hs_golden *golden = hs_golden_new(limits);
     if (!golden) return hs_fail(err, HS_EXIT_INTERNAL, "no memory for golden");
-    hs_golden_observe(golden, &(hs_observer){history, false, NULL, decided, NULL, divided});
+    hs_history_watch(history, golden);
     bool good = hs_packet_encode(&in, 0, mesh, matrix, settings, err) &&
                 hs_golden_run(golden, &in, &out, &report, err) &&
                 hs_output_decode(output, &out, err);
@@ -268,7 +275,7 @@ bool hs_history_record(hs_history *history, hs_output *output, const hs_mesh *me
         good = hs_fail(err, HS_EXIT_REFUSED, "the view is refused, %s: %s; %s",
                        hs_status_name(output->status), hs_status_what(output->status),
                        hs_status_remedy(output->status));
-    good = good && check(history, output, err);
+    good = good && hs_history_check(history, output, err);
     if (good) return true;
     hs_history_free(history);
     hs_output_free(output);

@@ -45,6 +45,7 @@ typedef struct hs_past {
     uint8_t *face_mark, *decision, *forced; /* faces: as in hs_state */
     uint32_t *number;                       /* faces: the new vertex, if it is refined */
     uint8_t *mark;                          /* vertices, as behind guard */
+    uint8_t *free;      /* vertices of active faces: 1 if all around goes on, hs_is_free */
     uint32_t *output;   /* faces: its place in the output; NONE if it was refined */
     uint32_t *triangle; /* halfedges: place in the output of the triangle at its kept edge; NONE */
 } hs_past;
@@ -67,6 +68,14 @@ typedef struct hs_history {
     uint32_t sent;     /* faces that have left so far, while the run goes on */
     bool exhausted;
 } hs_history;
+
+/* Has the next run of golden recorded: *history, which must be empty, fills. The context must not
+ * outlive it but for hs_golden_observe(golden, NULL). */
+void hs_history_watch(hs_history *history, hs_golden *golden);
+
+/* Checks the record of a run that was accepted against what came out, and completes it. False:
+ * memory, or a record that is not what came out, which would be a defect (HS_EXIT_INTERNAL). */
+bool hs_history_check(hs_history *history, const hs_output *output, hs_error *err);
 
 /* Runs a mesh through golden for a view and records it; *output is what came out. Nothing either
  * held is freed. False, with both empty: the pipeline refuses the view (HS_EXIT_REFUSED), memory,

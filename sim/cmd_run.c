@@ -40,6 +40,8 @@ static const hs_command COMMAND = {
             "  halfstep run bob.obj --views my.txt --stalls 30,50 --seed 7\n"
             "      your own viewpoints (docs/command-line.md), both sides of the streams\n"
             "      pausing at random in 30 and 50 % of the cycles\n"
+            "  halfstep run shape:hand --path path.txt --engine golden\n"
+            "      a camera path, and what changes from frame to frame\n"
             "  halfstep run 'frame_%04d.obj' --out out/frames\n"
             "      a mesh a view: frame_0000.obj, frame_0001.obj and so on\n"
             "  halfstep run shape:hand --engine model --timeline hand.json --kanata hand.log\n"
@@ -91,6 +93,7 @@ bool hs_engines_parse(const char *list, uint32_t *engines, hs_error *err) {
 typedef struct texts {
     const char *engines, *size, *stalls, *window, *drop;
     hs_surface_options surface;
+    const char *path;
     bool orbit_given, seed_given, only_given;
 } texts;
 
@@ -143,6 +146,14 @@ static bool complete(hs_run_request *r, const texts *t, hs_error *err) {
     if (t->drop && !r->out)
         return hs_fail(err, HS_EXIT_USAGE, "--drop leaves faces out of mesh.obj; add --out DIR");
     if (!hs_drop_parse(t->drop, &r->drop, err)) return false;
+    if (t->path && (r->views || t->orbit_given))
+        return hs_fail(err, HS_EXIT_USAGE, "--path names its views; drop --views and --orbit");
+    if (t->path && !(r->engines >> HS_ENGINE_golden & 1))
+        return hs_fail(err, HS_EXIT_USAGE, "--path follows golden; add golden to --engine");
+    if (t->path) {
+        r->path = true;
+        r->views = t->path;
+    }
     if (r->views && t->orbit_given)
         return hs_fail(err, HS_EXIT_USAGE, "--views and --orbit exclude each other; give one");
     return hs_surface_settings(&r->settings, &t->surface, r->force != NULL, r->width, r->height,
@@ -162,6 +173,8 @@ static enum hs_parsed parse(hs_run_request *r, int argc, char **argv, hs_error *
          "N viewpoints on a circle around the mesh (1)"},
         {"views", 'v', HS_OPTION_TEXT, "FILE", &r->views, 0, 0, NULL,
          "viewpoints from a file: `matrix` or `look` lines"},
+        {"path", 'p', HS_OPTION_TEXT, "FILE", &t.path, 0, 0, NULL,
+         "the same, as consecutive frames: tells what changes"},
         {"view", 0, HS_OPTION_NUMBER, "N", &r->only, 0, 65535, &t.only_given,
          "only view N of them, from 0"},
         {"front", 'f', HS_OPTION_NUMBER, "DEPTH", &t.surface.front, 0, HS_MAX_DEPTH,
@@ -268,6 +281,11 @@ static bool prepare(hs_run *run, hs_error *err) {
     }
     if (r->json && !try_file(r->json, false, err)) return false;
     if (r->wave && !try_file(r->wave, true, err)) return false;
+    if (r->path && run->frames.count)
+        return hs_fail(err, HS_EXIT_USAGE,
+                       "--path compares frames of one mesh; give a deforming one's by --views");
+    if (r->path && !(run->path = hs_path_new(&run->mesh)))
+        return hs_fail(err, HS_EXIT_INTERNAL, "no memory for the path");
     run->golden = hs_golden_new(r->limits);
     if (!run->golden) return hs_fail(err, HS_EXIT_INTERNAL, "no memory for golden");
     if (r->engines >> HS_ENGINE_model & 1) {
@@ -313,6 +331,7 @@ static bool run_views(hs_run *run, hs_error *err) {
     }
     run->seconds = hs_seconds() - start;
     hs_run_table_total(run);
+    if (run->path) hs_run_table_path(run);
     return true;
 }
 
@@ -358,6 +377,7 @@ int hs_command_run(int argc, char **argv, hs_error *err) {
     free(run.view);
     hs_run_timelines_abandon(&run);
     hs_run_pictures_free(run.pictures);
+    hs_path_free(run.path);
     hs_rtl_free(run.rtl);
     hs_model_free(run.model);
     hs_log_free(&run.model_log);

@@ -238,6 +238,21 @@ static json_t *pictures_of(report *r, const hs_run_pictures_report *report) {
     return pictures;
 }
 
+/* What a frame is beside the one before it; null where there is none. */
+static json_t *step_of(report *r, const hs_path_step *step) {
+    json_t *o = json_object();
+    const uint32_t values[] = {step->kept,   step->gained,   step->lost,
+                               step->shared, step->compared, step->moved};
+    static const char *const key[] = {"faces_kept",      "faces_gained",      "faces_lost",
+                                      "vertices_shared", "vertices_compared", "vertices_moved"};
+    for (int i = 0; i < 6; i++)
+        set(r, o, key[i], step->first ? json_null() : json_integer(values[i]));
+    set_count(r, o, "vertices_settled", step->settled);
+    const double all = step->reached + step->short_of;
+    set(r, o, "silhouette_share", all > 0 ? json_real(step->reached / all) : json_null());
+    return o;
+}
+
 static json_t *view_of(report *r, const hs_run *run, const hs_run_view *view) {
     json_t *v = json_object(), *matrix = json_array(), *engines = json_object();
     set_count(r, v, "view", view->number);
@@ -255,6 +270,7 @@ static json_t *view_of(report *r, const hs_run *run, const hs_run_view *view) {
     set(r, v, "engines", engines);
     set(r, v, "generations", generations_of(r, view));
     set(r, v, "comparisons", comparisons_of(r, view));
+    if (run->path) set(r, v, "path", view->step.done ? step_of(r, &view->step) : json_null());
     if (run->request->drop.offscreen || run->request->drop.back)
         set(r, v, "dropped",
             json_pack("{s:I,s:I,s:I}", "offscreen", (json_int_t)view->dropped.offscreen, "back",

@@ -17,6 +17,7 @@
 #include "file.h"
 #include "frames.h"
 #include "model.h"
+#include "path.h"
 #include "progress.h"
 #include "reference.h"
 #include "rtl.h"
@@ -42,6 +43,7 @@ bool hs_engines_parse(const char *list, uint32_t *engines, hs_error *err);
 /* What a run was asked for. Text belongs to the command line. */
 typedef struct hs_run_request {
     const char *mesh, *views, *force, *out, *json, *wave; /* NULL: not given */
+    bool path; /* views are the consecutive frames of a path */
     const char *timeline, *kanata, *timeline_svg;
     char own_json[4200];       /* where json points if out alone is */
     uint32_t orbit;            /* viewpoints, if there is no file */
@@ -101,6 +103,7 @@ typedef struct hs_run_view {
     hs_reference_comparison reference; /* if reference and golden were compared */
     uint32_t comparisons;
     hs_comparison comparison[HS_RUN_COMPARISONS];
+    hs_path_step step;                /* beside the frame before, on a path */
     hs_dropped dropped;               /* from mesh.obj */
     hs_run_pictures_report *pictures; /* owned; NULL if there are none */
 } hs_run_view;
@@ -118,6 +121,7 @@ typedef struct hs_run {
     hs_mesh mesh;     /* of a deforming one: the view's */
     hs_views views;
     uint32_t depth; /* that the views ask for */
+    hs_path *path;  /* NULL unless asked for */
     hs_golden *golden;
     hs_model *model; /* NULL unless named, as the next ones */
     hs_rtl *rtl;
@@ -148,5 +152,8 @@ void hs_run_print_rerun(const hs_run *run, uint32_t number, uint64_t cycle);
 void hs_run_table_head(const hs_run *run);
 void hs_run_table_view(const hs_run *run, const hs_run_view *view);
 void hs_run_table_total(const hs_run *run);
+
+/* Behind it, what changed from frame to frame of a path (run_path.c). */
+void hs_run_table_path(const hs_run *run);
 
 #endif

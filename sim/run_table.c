@@ -255,7 +255,7 @@ void hs_run_print_rerun(const hs_run *run, uint32_t number, uint64_t cycle) {
     fputs(" run", stderr);
     print_word(r->mesh);
     if (r->views) {
-        fputs(" --views", stderr);
+        fputs(r->path ? " --path" : " --views", stderr);
         print_word(r->views);
     } else {
         fprintf(stderr, " --orbit %u", r->orbit);

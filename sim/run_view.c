@@ -21,6 +21,7 @@ typedef struct work {
     hs_output output[HS_ENGINES];
     hs_golden_report golden;
     hs_reference reference;
+    hs_history history; /* of a path's frame */
 } work;
 
 static const enum hs_engine PIPELINES[] = {HS_ENGINE_golden, HS_ENGINE_model, HS_ENGINE_rtl};
@@ -42,6 +43,7 @@ static bool accepted(const hs_golden_report *report) {
 static bool run_golden(work *w, hs_error *err) {
     hs_run_view *view = w->view;
     const double start = hs_seconds();
+    if (w->run->path) hs_history_watch(&w->history, w->run->golden);
     if (!hs_golden_run(w->run->golden, &w->in, &w->packet[HS_ENGINE_golden], &w->golden, err))
         return false;
     view->engine[HS_ENGINE_golden].seconds = hs_seconds() - start;
@@ -347,6 +349,13 @@ static bool write_timelines(work *w, hs_error *err) {
                                  &w->view->cycles[engine], err);
 }
 
+/* The view as the next frame of the path. */
+static bool add_frame(work *w, hs_error *err) {
+    const hs_output *output = &w->output[HS_ENGINE_golden];
+    return hs_history_check(&w->history, output, err) &&
+           hs_path_add(w->run->path, &w->view->step, &w->history, output, &w->golden, err);
+}
+
 /* --- One view -----------------------------------------------------------------------------------
  */
 
@@ -359,6 +368,7 @@ static bool work_on(work *w, hs_error *err) {
     view->words_in = w->in.words;
     if (!run_golden(w, err)) return false;
     if (wants(w, HS_ENGINE_golden) && !finish_pipeline(w, HS_ENGINE_golden, err)) return false;
+    if (run->path && accepted(&w->golden) && !add_frame(w, err)) return false;
     if (wants(w, HS_ENGINE_model) &&
         (!run_model(w, err) || !finish_pipeline(w, HS_ENGINE_model, err)))
         return false;
@@ -393,6 +403,7 @@ bool hs_run_one(hs_run *run, uint32_t number, hs_run_view *view, hs_error *err) 
         hs_output_free(&w.output[e]);
     }
     hs_reference_free(&w.reference);
+    hs_history_free(&w.history);
     return good;
 }
 
@@ -404,6 +415,7 @@ void hs_run_view_free(hs_run_view *view) {
 }
 
 bool hs_run_view_equal(const hs_run_view *view) {
+    if (view->step.moved) return false;
     for (uint32_t i = 0; i < view->comparisons; i++)
         if (!view->comparison[i].compared || view->comparison[i].different) return false;
     return true;

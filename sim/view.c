@@ -210,6 +210,9 @@ typedef struct reader {
     char *line, *rest; /* the line, and what is left of it */
     uint32_t number;   /* of the line, from 1 */
     uint32_t word;     /* of the word, from 1 */
+    hs_look look;      /* the latest view, */
+    bool has_look;     /* if it is one */
+    uint32_t frames;   /* steps from there to the next view, if `frames` says so, or 0 */
     hs_error *err;
 } reader;
 
@@ -291,17 +294,22 @@ static bool read_value(reader *r, const char *keyword, double *value) {
     return read_keyword(r, keyword) && read_number(r, keyword, NULL, value);
 }
 
-static bool read_look(reader *r, double aspect, hs_view *view) {
-    double eye[3], at[3], up[3], fov, near, far;
-    if (!read_point(r, "eye", eye) || !read_point(r, "at", at) || !read_point(r, "up", up) ||
-        !read_value(r, "fov", &fov) || !read_value(r, "near", &near) || !read_value(r, "far", &far))
-        return false;
-    if (!read_end(r)) return false;
-    hs_error cause;
-    r->word = 1;
-    if (!hs_view_look(view, eye, at, up, fov, aspect, near, far, &cause))
-        return fail_here(r, "%.250s", cause.text);
-    return true;
+static bool read_look(reader *r, hs_look *l) {
+    return read_point(r, "eye", l->eye) && read_point(r, "at", l->at) &&
+           read_point(r, "up", l->up) && read_value(r, "fov", &l->fov) &&
+           read_value(r, "near", &l->near) && read_value(r, "far", &l->far) && read_end(r);
+}
+
+static bool read_frames(reader *r) {
+    if (!r->has_look) return fail_here(r, "frames lead from a look to a look; none is before it");
+    if (r->frames) return fail_here(r, "a second 'frames' before the next look; keep one");
+    char *word = next_word(r), *end;
+    const unsigned long frames = word ? strtoul(word, &end, 10) : 0;
+    if (!word || *end || *word == '-' || frames < 1 || frames > HS_VIEWS_MOST)
+        return fail_here(r, "'%.40s' is no number of frames, 1 to %d", word ? word : "",
+                         HS_VIEWS_MOST);
+    r->frames = (uint32_t)frames;
+    return read_end(r);
 }
 
 /* --- The file --------------------------------------------------------------------------------- */
@@ -318,6 +326,36 @@ static hs_view *append_view(hs_views *views, uint32_t *capacity) {
     return &views->view[views->count++];
 }
 
+/* Adds the view of a look. */
+static bool add_look(reader *r, hs_views *views, uint32_t *capacity, double aspect,
+                     const hs_look *l) {
+    hs_error cause;
+    r->word = 1;
+    hs_view *view = append_view(views, capacity);
+    if (!view) return hs_fail(r->err, HS_EXIT_INTERNAL, "no memory for the views of %s", r->path);
+    return hs_view_look(view, l->eye, l->at, l->up, l->fov, aspect, l->near, l->far, &cause) ||
+           fail_here(r, "%.250s", cause.text);
+}
+
+/* Adds the look of this line, and before it those that lead to it. */
+static bool add_looks(reader *r, hs_views *views, uint32_t *capacity, double aspect) {
+    hs_look here;
+    if (!read_look(r, &here)) return false;
+    for (uint32_t i = 1; i < r->frames; i++) {
+        hs_look between;
+        hs_error cause;
+        if (!hs_look_between(&between, &r->look, &here, (double)i / r->frames, &cause)) {
+            r->word = 1;
+            return fail_here(r, "%.250s", cause.text);
+        }
+        if (!add_look(r, views, capacity, aspect, &between)) return false;
+    }
+    r->frames = 0;
+    r->look = here;
+    r->has_look = true;
+    return add_look(r, views, capacity, aspect, &here);
+}
+
 /* Reads the line at *at, which ends before a line feed or at the end, and moves *at behind it. */
 static bool read_line(reader *r, hs_views *views, uint32_t *capacity, double aspect) {
     r->rest = r->line;
@@ -325,12 +363,15 @@ static bool read_line(reader *r, hs_views *views, uint32_t *capacity, double asp
     r->rest[strcspn(r->rest, "#")] = 0;
     const char *kind = next_word(r);
     if (!kind) return true;
-    bool matrix = strcmp(kind, "matrix") == 0;
-    if (!matrix && strcmp(kind, "look") != 0)
+    if (strcmp(kind, "frames") == 0) return read_frames(r);
+    if (strcmp(kind, "look") == 0) return add_looks(r, views, capacity, aspect);
+    if (strcmp(kind, "matrix") != 0)
         return fail_here(r, "'%.40s' is no view; a view begins with 'matrix' or 'look'", kind);
+    if (r->frames) return fail_here(r, "frames lead to a look; a matrix has no ways between");
+    r->has_look = false;
     hs_view *view = append_view(views, capacity);
     if (!view) return hs_fail(r->err, HS_EXIT_INTERNAL, "no memory for the views of %s", r->path);
-    return matrix ? read_matrix(r, view) : read_look(r, aspect, view);
+    return read_matrix(r, view);
 }
 
 static bool read_lines(reader *r, hs_views *views, char *text, size_t size, double aspect) {
@@ -348,6 +389,11 @@ static bool read_lines(reader *r, hs_views *views, char *text, size_t size, doub
         at = stop + 1;
     }
     r->word = 1;
+    if (r->frames)
+        return hs_fail(r->err, HS_EXIT_VIEWS,
+                       "%.200s:%u: word 1: the file ends behind 'frames'; add the look that they "
+                       "lead to",
+                       r->path, r->number + 1);
     if (views->count == 0)
         return hs_fail(r->err, HS_EXIT_VIEWS,
                        "%.200s:%u: word 1: the file ends without a view; add a line that begins "

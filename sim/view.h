@@ -21,9 +21,20 @@ typedef struct hs_views {
     hs_view *view; /* from malloc */
 } hs_views;
 
+/* What a `look` line says. */
+typedef struct hs_look {
+    double eye[3], at[3], up[3], fov, near, far;
+} hs_look;
+
+/* A look between two, t from 0 to 1: at, fov, near and far change evenly, as does the distance of
+ * the eye from at; its direction from there, and up, turn along the shorter way. False
+ * (HS_EXIT_VIEWS) where there is none: they are opposite. */
+bool hs_look_between(hs_look *look, const hs_look *a, const hs_look *b, double t, hs_error *err);
+
 /* Reads a views file: a view a line, `matrix m00 m01 .. m33` or `look eye X Y Z at X Y Z up X Y Z
- * fov DEGREES near N far F`, '#' comments, blank lines. aspect is width / height of the picture
- * that `look` is for. On failure *views is empty and *err names file, line and word
+ * fov DEGREES near N far F`, '#' comments, blank lines. `frames N` between two looks makes the
+ * second one the Nth view behind the first, with the views between them. aspect is width / height
+ * of the picture that `look` is for. On failure *views is empty and *err names file, line and word
  * (HS_EXIT_VIEWS, HS_EXIT_FILE). Numbers must be finite as binary32; a singular matrix is fine. */
 bool hs_views_read(hs_views *views, const char *path, double aspect, hs_error *err);
 
