@@ -13,7 +13,7 @@ static const char *find_number(const char *text, size_t *length, int *digits) {
     for (const char *at = strchr(text, '%'); at; at = strchr(at + 1, '%')) {
         size_t n = 1;
         *digits = 0;
-        while (isdigit((unsigned char)at[n]) && n < 4)
+        while (n < 4 && isdigit((unsigned char)at[n]))
             *digits = 10 * *digits + (at[n++] - '0');
         *length = n + 1;
         if (at[n] == 'd') return at;
