@@ -51,8 +51,7 @@ void hs_run_table_head(const hs_run *run) {
              run->mesh.faces, run->mesh.vertices, engines);
     hs_print_wrapped(run->table, 0, 0, what);
     hs_print_wrapped(run->table, 0, 0, how);
-    fputc('
-', run->table);
+    fputc('\n', run->table);
     fprintf(run->table,
             "view     faces vertices    cycles c/face  face 1     bound ratio  kHz  result\n");
     fflush(run->table);
