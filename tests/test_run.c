@@ -197,10 +197,10 @@ static void the_printed_command_runs_just_that_view_again(void **state) {
     char line[] =
         "run shape:cube --engine golden,rtl --orbit 3 --stalls 10,20 --seed 9 --front 3 --guard 0";
     assert_int_equal(run(line), HS_EXIT_DIFFERENT);
-    char *command = strstr(said, "build/halfstep run ");
+    char *command = strstr(said, "halfstep run ");
     assert_non_null(command);
     char again[2000];
-    snprintf(again, sizeof again, "%s", command + strlen("build/halfstep "));
+    snprintf(again, sizeof again, "%s", command + strlen("halfstep "));
     again[strcspn(again, "\n")] = 0;
     char *wave = strstr(again, "view-001.fst");
     assert_non_null(wave);
