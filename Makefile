@@ -82,7 +82,7 @@ run: $(BUILD)/halfstep ## the main job: hand and monster head, 8 views each, thr
 	@$< run shape:monster --orbit 8 --out out/monster --json out/monster/run.json
 
 # The longest first, so that none of them runs alone at the end.
-LONGEST := $(addprefix $(BUILD)/test_,rtl reference_replay smallest)
+LONGEST := $(addprefix $(BUILD)/test_,rtl rtl_surface harness cli invariants processes terminal install)
 test: $(BUILD)/halfstep $(TESTS) ## all tests; logs in build/test-logs
 	@tests/run $(LONGEST) $(filter-out $(LONGEST),$(TESTS))
 
