@@ -135,7 +135,7 @@ $(BUILD)/verilated/profile: $(COUNTING)/halfstep
 	llvm-profdata merge -o $@ $(COUNTING)/*.profraw
 
 $(PROFILED)/Vhalfstep__ALL.a: $(BUILD)/verilated/profile
-	+@$(call COMPILE_AGAIN,-fprofile-use=$(abspath $<))
+	+@$(call COMPILE_AGAIN,-O3 -fprofile-use=$(abspath $<))
 
 $(BUILD)/librtl-profiled.a: $(RTL_DIR)/rtl_shim.o $(RUNTIME) $(PROFILED)/Vhalfstep__ALL.a
 	rm -f $@ && cp $(PROFILED)/Vhalfstep__ALL.a $@ && ar rs $@ $(filter %.o,$^)
