@@ -427,9 +427,9 @@ static void needs_of_generation(const hs_golden_report *r, const hs_mesh *mesh, 
 }
 
 /* Under these limits the view has this status, and the next one, a small one, is not harmed. */
-static void check_limited(hs_limits limits, const hs_packet *in, uint32_t status, uint32_t reached,
-                          const char *what) {
-    bench *b = new_bench(limits, 1);
+static void check_limited(bench *b, hs_limits limits, const hs_packet *in, uint32_t status,
+                          uint32_t reached, const char *what) {
+    limit_bench(b, limits);
     assert_same_words(b, in, no_stalls, what);
     if (b->golden_report.status != status)
         fail_msg("%s: %s instead of %s", what, hs_status_name(b->golden_report.status),
@@ -443,11 +443,10 @@ static void check_limited(hs_limits limits, const hs_packet *in, uint32_t status
     const bool fits = limits.vertices >= mesh.vertices && limits.quads >= mesh.halfedges;
     assert_int_equal(b->golden_report.status == HS_STATUS_OK, fits);
     hs_mesh_free(&mesh);
-    free_bench(b);
 }
 
 static void a_view_stops_exactly_where_it_exceeds_a_limit(void **state) {
-    bench *b = *state;
+    bench *b = *state, *limited = new_bench(HS_DEFAULT_LIMITS, 1);
     uint32_t stopped = 0;
     for (uint32_t kind = 0; kind < 6; kind++) {
         hs_mesh mesh;
@@ -479,17 +478,18 @@ static void a_view_stops_exactly_where_it_exceeds_a_limit(void **state) {
                     snprintf(what, sizeof what, "kind %u, %s limited to %u, generation %u", kind,
                              of ? "quads" : "vertices", limit, g);
                     const uint32_t status = stops < generations ? HS_STATUS_STOPPED : HS_STATUS_OK;
-                    check_limited(limits, &in, status, stops, what);
+                    check_limited(limited, limits, &in, status, stops, what);
                     stopped += status == HS_STATUS_STOPPED;
                 }
         hs_mesh_free(&mesh);
     }
+    free_bench(limited);
     print_message("%u limited views stopped\n", stopped);
     assert_true(stopped >= 20);
 }
 
 static void a_mesh_beyond_a_limit_is_refused(void **state) {
-    bench *b = *state;
+    bench *b = *state, *limited = new_bench(HS_DEFAULT_LIMITS, 1);
     hs_mesh mesh;
     hs_error err;
     make_shape(&mesh, "mixed", 0, 1);
@@ -499,11 +499,12 @@ static void a_mesh_beyond_a_limit_is_refused(void **state) {
         hs_limits few_vertices = HS_DEFAULT_LIMITS, few_quads = HS_DEFAULT_LIMITS;
         few_vertices.vertices = mesh.vertices - below;
         few_quads.quads = mesh.halfedges - below;
-        check_limited(few_vertices, &b->in, below ? HS_STATUS_CAPACITY_VERTICES : HS_STATUS_STOPPED,
-                      0, "vertices");
-        check_limited(few_quads, &b->in, below ? HS_STATUS_CAPACITY_CORNERS : HS_STATUS_OK, 0,
-                      "corners");
+        check_limited(limited, few_vertices, &b->in,
+                      below ? HS_STATUS_CAPACITY_VERTICES : HS_STATUS_STOPPED, 0, "vertices");
+        check_limited(limited, few_quads, &b->in, below ? HS_STATUS_CAPACITY_CORNERS : HS_STATUS_OK,
+                      0, "corners");
     }
+    free_bench(limited);
     hs_mesh_free(&mesh);
 }
 

@@ -90,7 +90,7 @@ static void random_creases_and_settings_are_goldens_word_for_word(void **state) 
 
 /* A view that just fits, and with one less of either. */
 static void half_quads_count_whole_against_the_capacity(void **state) {
-    (void)state;
+    bench *b = *state;
     hs_mesh mesh;
     hs_view view[VIEWS];
     build_grid(&mesh, 4, 3);
@@ -102,10 +102,9 @@ static void half_quads_count_whole_against_the_capacity(void **state) {
         s.limit = c & 2;
         uint32_t fits = 0;
         for (uint32_t quads = mesh.halfedges; quads < 400; quads += 1 + quads / 16) {
-            bench *b = new_bench((hs_limits){4096, quads}, quads);
+            limit_bench(b, (hs_limits){4096, quads});
             check(b, &mesh, "grid of 12", &view[1], &s, no_stalls, &t);
             fits += b->golden_report.status == HS_STATUS_OK;
-            free_bench(b);
         }
         assert_true(fits > 0);
     }
@@ -119,7 +118,8 @@ int main(void) {
                                         set_up_bench, tear_down_bench),
         cmocka_unit_test_setup_teardown(random_creases_and_settings_are_goldens_word_for_word,
                                         set_up_bench, tear_down_bench),
-        cmocka_unit_test(half_quads_count_whole_against_the_capacity),
+        cmocka_unit_test_setup_teardown(half_quads_count_whole_against_the_capacity, set_up_bench,
+                                        tear_down_bench),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
