@@ -6,7 +6,7 @@
 #ifndef HS_TEST_CLI_H
 #define HS_TEST_CLI_H
 
-#include "folder.h"
+#include "place.h"
 
 #include <jansson.h>
 #include <sys/stat.h>
@@ -14,7 +14,6 @@
 
 #include "definitions.h"
 
-static folder place;        /* the test's */
 static char output[400000]; /* of the latest command, both streams */
 
 /* Runs `build/halfstep ARGUMENTS`, a shell's line, and returns its exit code. @ stands for the
@@ -38,13 +37,6 @@ static inline void expect(int code, const char *arguments, const char *text) {
     if (sent != code)
         fail_msg("halfstep %s: exit code %d instead of %d\n%s", arguments, sent, code, output);
     if (!strstr(output, text)) fail_msg("halfstep %s: no \"%s\" in\n%s", arguments, text, output);
-}
-
-static inline void write_file(const char *name, const char *text) {
-    FILE *file = fopen(inside(&place, name), "wb");
-    assert_non_null(file);
-    fputs(text, file);
-    assert_int_equal(fclose(file), 0);
 }
 
 static inline bool exists(const char *name) {
@@ -74,17 +66,6 @@ static inline json_int_t number_at(json_t *value, const char *path) {
     json_t *number = at(value, path);
     if (!json_is_integer(number)) fail_msg("%s is no integer", path);
     return json_integer_value(number);
-}
-
-static inline int set_up(void **state) {
-    (void)state;
-    place = make_folder();
-    return 0;
-}
-
-static inline int tear_down(void **state) {
-    (void)state;
-    return remove_folder(&place);
 }
 
 #endif

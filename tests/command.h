@@ -5,15 +5,13 @@
 #ifndef HS_TEST_COMMAND_H
 #define HS_TEST_COMMAND_H
 
-#include "folder.h"
+#include "place.h"
 
 #include <limits.h>
 #include <signal.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <time.h>
-
-static folder place; /* the test's; each test has a new one */
 
 typedef struct outcome {
     int code;         /* exit status; -SIGNAL if it was killed */
@@ -78,17 +76,6 @@ static inline double seconds_now(void) {
     struct timespec now;
     clock_gettime(CLOCK_MONOTONIC, &now);
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
-
-static inline int new_place(void **state) {
-    (void)state;
-    place = make_folder();
-    return 0;
-}
-
-static inline int leave_place(void **state) {
-    (void)state;
-    return remove_folder(&place);
 }
 
 #endif

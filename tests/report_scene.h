@@ -5,7 +5,7 @@
 #ifndef HS_TEST_REPORT_SCENE_H
 #define HS_TEST_REPORT_SCENE_H
 
-#include "folder.h"
+#include "place.h"
 
 #include <string.h>
 #include <sys/stat.h>
@@ -13,26 +13,6 @@
 #include "golden.h"
 #include "shape.h"
 #include "view.h"
-
-static folder place;
-
-static inline int set_up(void **state) {
-    (void)state;
-    place = make_folder();
-    return 0;
-}
-
-static inline int tear_down(void **state) {
-    (void)state;
-    return remove_folder(&place);
-}
-
-static inline void write_text(const char *name, const char *text) {
-    FILE *file = fopen(inside(&place, name), "wb");
-    assert_non_null(file);
-    fputs(text, file);
-    assert_int_equal(fclose(file), 0);
-}
 
 static const hs_settings adaptive = {
     .front_depth = 2, .silhouette_depth = 4, .guard = true, .boundary = HS_BOUNDARY_SMOOTH};

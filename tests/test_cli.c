@@ -59,7 +59,7 @@ static void a_run_becomes_a_page(void **state) {
     expect(HS_EXIT_OK, "report --help", "halfstep report out/hand --explore out/space");
     expect(HS_EXIT_USAGE, "report", "DIR is missing");
     expect(HS_EXIT_USAGE, "report @ --faces 1", "a number from 100 to 1000000");
-    write_file("t.html", "<title>@HALFSTEP_TITLE@</title>@HALFSTEP_DATA@");
+    write_text("t.html", "<title>@HALFSTEP_TITLE@</title>@HALFSTEP_DATA@");
     expect(HS_EXIT_FILE, "report @/none --template @/t.html", "none: there is no such folder");
     expect(HS_EXIT_FILE, "report @ --template @/t.html", "halfstep run MESH --out DIR");
     expect(HS_EXIT_OK,
@@ -119,12 +119,12 @@ static void the_model_counts_the_cycles_of_the_rtl(void **state) {
 
 static void a_bad_mesh_is_named_by_file_and_line(void **state) {
     (void)state;
-    write_file("two.obj", "v 0 0 0\nv 1 0 0\nf 1 2\n");
+    write_text("two.obj", "v 0 0 0\nv 1 0 0\nf 1 2\n");
     expect(HS_EXIT_MESH, "run @/two.obj", "two.obj:3");
     expect(HS_EXIT_MESH, "mesh info @/two.obj", "two.obj:3");
     expect(HS_EXIT_MESH, "mesh convert @/two.obj @/out.obj", "two.obj:3");
     assert_false(exists("out.obj"));
-    write_file("empty.obj", "");
+    write_text("empty.obj", "");
     expect(HS_EXIT_MESH, "run @/empty.obj", "empty.obj");
     expect(HS_EXIT_FILE, "run @/none.obj", "none.obj");
     /* A bad one does not keep the good ones from being shown. */
@@ -133,11 +133,11 @@ static void a_bad_mesh_is_named_by_file_and_line(void **state) {
 
 static void a_bad_views_file_is_named_by_line(void **state) {
     (void)state;
-    write_file("bad.txt", "# one\nmatrix 1 2 3\n");
+    write_text("bad.txt", "# one\nmatrix 1 2 3\n");
     expect(HS_EXIT_VIEWS, "run shape:cube --views @/bad.txt", "bad.txt:2");
-    write_file("eye.txt", "look eye 0 0 0 at 0 0 0 up 0 1 0 fov 60 near 1 far 2\n");
+    write_text("eye.txt", "look eye 0 0 0 at 0 0 0 up 0 1 0 fov 60 near 1 far 2\n");
     expect(HS_EXIT_VIEWS, "run shape:cube --views @/eye.txt", "eye.txt:1");
-    write_file("none.txt", "# nothing\n");
+    write_text("none.txt", "# nothing\n");
     expect(HS_EXIT_VIEWS, "run shape:cube --views @/none.txt", "none.txt");
     expect(HS_EXIT_FILE, "run shape:cube --views @/missing.txt", "missing.txt");
 }
@@ -149,14 +149,14 @@ static void a_bad_force_file_is_named_by_line(void **state) {
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
         char text[100];
         snprintf(text, sizeof text, "# faces\n%s", bad[i]);
-        write_file("force.txt", text);
+        write_text("force.txt", text);
         expect(HS_EXIT_MESH, "run shape:cube --force @/force.txt", "force.txt:2");
     }
 }
 
 static void an_unwritable_place_is_named_before_the_work_begins(void **state) {
     (void)state;
-    write_file("file", "");
+    write_text("file", "");
     expect(HS_EXIT_FILE, "run shape:cube --out @/file", "/file");
     assert_null(strstr(output, "view "));
     expect(HS_EXIT_FILE, "run shape:cube --out @/file/below", "/file");
@@ -183,7 +183,7 @@ static void a_report_on_standard_output_is_json_and_nothing_else(void **state) {
 
 static void a_singular_matrix_works(void **state) {
     (void)state;
-    write_file("views.txt", "matrix 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0\n"
+    write_text("views.txt", "matrix 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0\n"
                             "matrix 1 0 0 0 1 0 0 0 0 0 1 0 0 0 0 2\n");
     expect(HS_EXIT_OK,
            "run shape:mixed --views @/views.txt --engine reference,golden,rtl --out @/out",
@@ -193,14 +193,14 @@ static void a_singular_matrix_works(void **state) {
 
 static void the_eye_may_be_inside_the_mesh(void **state) {
     (void)state;
-    write_file("views.txt", "look eye 0.1 0 0 at 1 0.5 0 up 0 1 0 fov 90 near 0.1 far 10\n");
+    write_text("views.txt", "look eye 0.1 0 0 at 1 0.5 0 up 0 1 0 fov 90 near 0.1 far 10\n");
     expect(HS_EXIT_OK, "run shape:cube:2 --views @/views.txt --engine reference,golden,rtl",
            "equal");
 }
 
 static void what_is_out_of_view_comes_back_as_it_went_in(void **state) {
     (void)state;
-    write_file("views.txt", "look eye 0 0 5 at 0 0 9 up 0 1 0 fov 60 near 0.1 far 10\n"
+    write_text("views.txt", "look eye 0 0 5 at 0 0 9 up 0 1 0 fov 60 near 0.1 far 10\n"
                             "look eye 0 0 5 at 50 0 5 up 0 1 0 fov 20 near 0.1 far 10\n");
     expect(HS_EXIT_OK, "run shape:mixed --views @/views.txt --json @/x.json", "equal");
     json_t *report = read_json("x.json");
@@ -219,7 +219,7 @@ static void what_is_out_of_view_comes_back_as_it_went_in(void **state) {
 
 static void a_refused_view_is_reported_and_the_next_one_runs(void **state) {
     (void)state;
-    write_file("views.txt", "matrix 3e38 3e38 3e38 0 0 1 0 0 0 0 1 0 0 0 0 1\n"
+    write_text("views.txt", "matrix 3e38 3e38 3e38 0 0 1 0 0 0 0 1 0 0 0 0 1\n"
                             "matrix 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 4\n");
     expect(HS_EXIT_REFUSED,
            "run shape:cube --views @/views.txt --engine reference,golden,rtl --json @/x.json "
@@ -301,8 +301,8 @@ static void a_run_leaves_views_meshes_streams_and_a_report(void **state) {
 
 static void forced_faces_are_refined_where_the_view_sees_nothing(void **state) {
     (void)state;
-    write_file("views.txt", "look eye 0 0 5 at 0 0 9 up 0 1 0 fov 60 near 0.1 far 10\n");
-    write_file("force.txt", "1-16 2 # the first row\n\n3 1\n");
+    write_text("views.txt", "look eye 0 0 5 at 0 0 9 up 0 1 0 fov 60 near 0.1 far 10\n");
+    write_text("force.txt", "1-16 2 # the first row\n\n3 1\n");
     expect(HS_EXIT_OK,
            "run shape:cube:4 --views @/views.txt --front 0 --silhouette 1 --force @/force.txt "
            "--json @/x.json",
@@ -421,7 +421,7 @@ static void a_wrong_statement_of_a_trace_is_named_by_line(void **state) {
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
         char text[200];
         snprintf(text, sizeof text, "mesh shape:cube\n%s\n", bad[i].line);
-        write_file("t/trace.txt", text);
+        write_text("t/trace.txt", text);
         expect(HS_EXIT_STREAM, "trace make @/t", bad[i].message);
         assert_non_null(strstr(output, "trace.txt:2"));
     }
@@ -440,7 +440,7 @@ static void a_stream_shown_as_text_builds_the_same_stream(void **state) {
         snprintf(line, sizeof line, "cmp %s/%s %s/again.hss", place.path, name[i], place.path);
         assert_int_equal(system(line), 0);
     }
-    write_file("square.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n"
+    write_text("square.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n"
                              "t crease 2/1/0 0 1 3\nt corner 1/1/0 2 10\n");
     expect(HS_EXIT_OK,
            "run @/square.obj --limit --boundary edge-only --min-edge-px 2.5 --front 2 "
@@ -453,15 +453,15 @@ static void a_stream_shown_as_text_builds_the_same_stream(void **state) {
         expect(HS_EXIT_OK, "trace show @/square/view-000/input.hss", shown[i]);
     expect(HS_EXIT_OK, "trace show @/square/view-000/output.hss",
            "0 triangles, 0 vertices at their level");
-    write_file("text.txt", "packet 7\n1.5 0 0 ff # numbers\n0 0 0 crc\n");
+    write_text("text.txt", "packet 7\n1.5 0 0 ff # numbers\n0 0 0 crc\n");
     expect(HS_EXIT_OK, "trace build @/text.txt @/small.hss", "");
     expect(HS_EXIT_OK, "trace show @/small.hss", "3fc00000 00000000 00000000 000000ff");
-    write_file("text.txt", "packet 7\n1 2 3\n");
+    write_text("text.txt", "packet 7\n1 2 3\n");
     expect(HS_EXIT_STREAM, "trace build @/text.txt @/x.hss", "text.txt:2");
-    write_file("text.txt", "packet 7\n1 2 3 123456789\n");
+    write_text("text.txt", "packet 7\n1 2 3 123456789\n");
     expect(HS_EXIT_STREAM, "trace build @/text.txt @/x.hss", "\"123456789\" is no word");
     assert_false(exists("x.hss"));
-    write_file("cut.hss", "HS2F");
+    write_text("cut.hss", "HS2F");
     expect(HS_EXIT_STREAM, "trace show @/cut.hss", "cut.hss");
 }
 
@@ -489,7 +489,7 @@ static void a_users_output_stream_is_judged_word_for_word(void **state) {
     expect(HS_EXIT_USAGE, "trace check --output @/all.hss", "name it");
 }
 
-#define TEST(name) cmocka_unit_test_setup_teardown(name, set_up, tear_down)
+#define TEST(name) cmocka_unit_test_setup_teardown(name, new_place, leave_place)
 
 int main(void) {
     const struct CMUnitTest tests[] = {

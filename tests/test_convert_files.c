@@ -3,7 +3,7 @@
  * The files of halfstep convert, as other programs see them: Khronos' validator of glTF, Assimp,
  * POV-Ray. What is not installed is skipped, in words.
  */
-#include "folder.h"
+#include "place.h"
 
 #include <math.h>
 #include <sys/stat.h>
@@ -18,19 +18,6 @@
 #include "refine.h"
 #include "render.h"
 #include "view.h"
-
-static folder place;
-
-static int set_up(void **state) {
-    (void)state;
-    place = make_folder();
-    return 0;
-}
-
-static int tear_down(void **state) {
-    (void)state;
-    return remove_folder(&place);
-}
 
 /* --- Running things ----------------------------------------------------------------------------
  */
@@ -437,7 +424,7 @@ static void a_write_that_fails_is_said_and_leaves_nothing(void **state) {
 }
 
 int main(void) {
-#define TEST(name) cmocka_unit_test_setup_teardown(name, set_up, tear_down)
+#define TEST(name) cmocka_unit_test_setup_teardown(name, new_place, leave_place)
     const struct CMUnitTest tests[] = {
         TEST(a_ply_says_the_same_in_text_and_in_binary),
         TEST(an_obj_and_a_ply_have_the_same_polygons),

@@ -11,10 +11,7 @@ static void pages_agree_with_the_project(void **state) {
 }
 
 static void page(const char *text) {
-    FILE *file = fopen(inside(&place, "page.md"), "wb");
-    assert_non_null(file);
-    fputs(text, file);
-    assert_int_equal(fclose(file), 0);
+    write_text("page.md", text);
 }
 
 static void faults_of_a_page_are_found(void **state) {

@@ -179,7 +179,7 @@ static void convert_leaves_them_out_and_counts_them(void **state) {
     const char *said = strstr(output, "0 off screen, ");
     assert_int_equal(lines("some.obj", 'f'),
                      lines("all.obj", 'f') - atoi(said + strlen("0 off screen, ")));
-    write_file("away.txt", "look eye 0 0 9 at 0 0 10 up 0 1 0 fov 30 near 1 far 9\n");
+    write_text("away.txt", "look eye 0 0 9 at 0 0 10 up 0 1 0 fov 30 near 1 far 9\n");
     expect(HS_EXIT_VIEWS, "convert shape:cube --drop offscreen --views @/away.txt -o @/no.ply",
            "--drop leaves no face: 6 are off screen");
     assert_false(exists("no.ply"));
@@ -192,7 +192,7 @@ static void a_list_that_is_not_understood_is_refused(void **state) {
     expect(HS_EXIT_USAGE, "run shape:cube --drop back", "add --out DIR");
 }
 
-#define TEST(f) cmocka_unit_test_setup_teardown(f, set_up, tear_down)
+#define TEST(f) cmocka_unit_test_setup_teardown(f, new_place, leave_place)
 
 int main(void) {
     const struct CMUnitTest tests[] = {

@@ -360,5 +360,5 @@ int main(void) {
         cmocka_unit_test(what_is_wrong_with_the_question_is_said),
         cmocka_unit_test(json_has_the_facts),
     };
-    return cmocka_run_group_tests_name("explain", tests, set_up, tear_down);
+    return cmocka_run_group_tests_name("explain", tests, new_place, leave_place);
 }

@@ -9,14 +9,13 @@
 #include <sys/file.h>
 #include <sys/wait.h>
 
-#include "folder.h"
+#include "place.h"
 
 #include "commands.h"
 #include "explore.h"
 #include "shape.h"
 #include "view.h"
 
-static folder place;
 static hs_error last;
 
 /* Runs a command line, single spaces, @ for the folder; its words go to a file in the folder. */
@@ -61,17 +60,6 @@ static void assert_same_file(const char *a, const char *b) {
     assert_string_equal(x, y);
     free(x);
     free(y);
-}
-
-static int set_up(void **state) {
-    (void)state;
-    place = make_folder();
-    return 0;
-}
-
-static int tear_down(void **state) {
-    (void)state;
-    return remove_folder(&place);
 }
 
 /* --- Figures ------------------------------------------------------------------------------------
@@ -344,5 +332,5 @@ int main(void) {
         cmocka_unit_test(journals_of_something_else_or_in_use_are_left_alone),
         cmocka_unit_test(a_wrong_setting_says_what_would_be_right),
     };
-    return cmocka_run_group_tests_name("explore", tests, set_up, tear_down);
+    return cmocka_run_group_tests_name("explore", tests, new_place, leave_place);
 }

@@ -88,8 +88,8 @@ static void views_are_one_for_all_meshes_or_one_for_each(void **state) {
 /* A mesh that walks away stays in the view of an orbit, which is around all of them. */
 static void an_orbit_sees_all_meshes(void **state) {
     (void)state;
-    write_file("w_1.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-    write_file("w_2.obj", "v 9 0 0\nv 10 0 0\nv 9 1 0\nf 1 2 3\n");
+    write_text("w_1.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    write_text("w_2.obj", "v 9 0 0\nv 10 0 0\nv 9 1 0\nf 1 2 3\n");
     expect(HS_EXIT_OK, "run '@/w_%d.obj' --engine golden --front 2 --silhouette 2 --json @/w.json",
            "2 meshes, 1 to 2");
     json_t *root = read_json("w.json");
@@ -108,7 +108,7 @@ static void what_is_wrong_with_the_files_is_said_before_the_first_view(void **st
     expect(HS_EXIT_USAGE, "run '@/f_%d_%d.obj'", "two numbers");
     make("cube", "f_0004.obj");
     expect(HS_EXIT_FILE, "run '@/f_%04d.obj'", "there is number 4, but not 3");
-    write_file("f_0003.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n");
+    write_text("f_0003.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n");
     expect(HS_EXIT_MESH, "run '@/f_%04d.obj' --engine golden --json @/no.json", "f_0003.obj:4");
     assert_null(strstr(output, "view "));
     assert_false(exists("no.json"));
@@ -121,7 +121,7 @@ static void a_file_of_that_very_name_is_a_mesh(void **state) {
     expect(HS_EXIT_OK, "run '@/odd_%d.obj' --engine golden", ": 6 faces");
 }
 
-#define TEST(f) cmocka_unit_test_setup_teardown(f, set_up, tear_down)
+#define TEST(f) cmocka_unit_test_setup_teardown(f, new_place, leave_place)
 
 int main(void) {
     const struct CMUnitTest tests[] = {

@@ -11,13 +11,6 @@
 
 #include <sys/stat.h>
 
-static void write_text(const char *name, const char *text) {
-    FILE *file = fopen(inside(&place, name), "wb");
-    assert_non_null(file);
-    fputs(text, file);
-    assert_int_equal(fclose(file), 0);
-}
-
 static void write_script(const char *name, const char *text) {
     char whole[2000];
     snprintf(whole, sizeof whole, "#!/bin/sh\n%s\n", text);

@@ -229,7 +229,7 @@ static void frames_that_lead_nowhere_are_refused_with_their_line(void **state) {
 
 static void run_tells_what_changes(void **state) {
     (void)state;
-    write_file("p.txt", "look eye 0 1 14 at 0 0 0 up 0 1 0 fov 40 near 5 far 30\nframes 2\n"
+    write_text("p.txt", "look eye 0 1 14 at 0 0 0 up 0 1 0 fov 40 near 5 far 30\nframes 2\n"
                         "look eye 2 1 14 at 0 0 0 up 0 1 0 fov 40 near 5 far 30\n");
     expect(HS_EXIT_OK, "run shape:hand --path @/p.txt --engine golden --json @/p.json",
            "at one level, 0 moved");
@@ -262,7 +262,7 @@ int main(void) {
         cmocka_unit_test(the_silhouette_s_share_is_that_of_its_faces),
         cmocka_unit_test(frames_lie_between_two_looks),
         cmocka_unit_test(frames_that_lead_nowhere_are_refused_with_their_line),
-        cmocka_unit_test_setup_teardown(run_tells_what_changes, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(run_tells_what_changes, new_place, leave_place),
     };
     return cmocka_run_group_tests_name("path", tests, NULL, NULL);
 }

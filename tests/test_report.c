@@ -271,7 +271,7 @@ static void timelines_and_other_reports_come_along(void **state) {
 }
 
 int main(void) {
-#define TEST(name) cmocka_unit_test_setup_teardown(name, set_up, tear_down)
+#define TEST(name) cmocka_unit_test_setup_teardown(name, new_place, leave_place)
     const struct CMUnitTest tests[] = {
         TEST(the_page_holds_every_figure_of_the_run_and_nothing_that_a_parser_would_run),
         TEST(a_template_without_its_places_is_refused_and_nothing_is_written),

@@ -294,7 +294,7 @@ static void why_there_is_no_mesh_is_said(void **state) {
 }
 
 int main(void) {
-#define TEST(name) cmocka_unit_test_setup_teardown(name, set_up, tear_down)
+#define TEST(name) cmocka_unit_test_setup_teardown(name, new_place, leave_place)
     const struct CMUnitTest tests[] = {
         TEST(a_step_is_the_run_halted_there),
         TEST(the_first_step_is_the_initial_mesh_in_its_own_space),
