@@ -46,6 +46,14 @@ static const struct {
 #include "definitions.def"
 };
 
+#undef PROBE
+#define PROBE(name, index, stage, what)
+#undef EXIT
+#define EXIT(name, value, what) [value] = what,
+static const char *const exits[] = {
+#include "definitions.def"
+};
+
 static const struct status_text *find(uint32_t status) {
     static const struct status_text unknown = {0, "?", "an unknown status", ""};
     for (size_t i = 0; i < sizeof statuses / sizeof *statuses; i++)
@@ -63,6 +71,10 @@ const char *hs_status_what(uint32_t status) {
 
 const char *hs_status_remedy(uint32_t status) {
     return find(status)->remedy;
+}
+
+const char *hs_exit_what(int code) {
+    return code >= 0 && (size_t)code < sizeof exits / sizeof *exits ? exits[code] : NULL;
 }
 
 const char *hs_stage_name(uint32_t stage) {

@@ -96,6 +96,8 @@ const char *hs_status_name(uint32_t status);
 const char *hs_status_what(uint32_t status);
 /* What to do about it; empty where there is nothing to do. */
 const char *hs_status_remedy(uint32_t status);
+/* What an exit code means, in a sentence without a full stop; NULL behind the last of them. */
+const char *hs_exit_what(int code);
 /* "classify" for HS_STAGE_classify. */
 const char *hs_stage_name(uint32_t stage);
 /* "busy" for HS_ACTIVITY_busy. */

@@ -267,14 +267,10 @@ bool hs_history_record(hs_history *history, hs_output *output, const hs_mesh *me
     hs_history_watch(history, golden);
     bool good = hs_packet_encode(&in, 0, mesh, matrix, settings, err) &&
                 hs_golden_run(golden, &in, &out, &report, err) &&
-                hs_output_decode(output, &out, err);
+                hs_output_decode(output, &out, err) && hs_output_accepted(output, err);
     hs_golden_free(golden);
     hs_packet_free(&in);
     hs_packet_free(&out);
-    if (good && output->status != HS_STATUS_OK && output->status != HS_STATUS_STOPPED)
-        good = hs_fail(err, HS_EXIT_REFUSED, "the view is refused, %s: %s; %s",
-                       hs_status_name(output->status), hs_status_what(output->status),
-                       hs_status_remedy(output->status));
     good = good && hs_history_check(history, output, err);
     if (good) return true;
     hs_history_free(history);

@@ -97,6 +97,9 @@ typedef struct hs_output {
  * vertices and no faces. So does one that met a memory's fault (HS_STATUS_MEMORY_FAULT): what its
  * packet holds before the trailer is not looked at. */
 bool hs_output_decode(hs_output *output, const hs_packet *packet, hs_error *err);
+/* Whether the pipeline took the view: its status is OK or STOPPED. Otherwise *err says why not
+ * (HS_EXIT_REFUSED). */
+bool hs_output_accepted(const hs_output *output, hs_error *err);
 void hs_output_free(hs_output *output);
 
 /* What a word of an output packet is, for messages: "face 12 of generation 3, vertices 1 and 2"

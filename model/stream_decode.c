@@ -529,3 +529,10 @@ void hs_output_describe(const hs_packet *packet, size_t word, char *text, size_t
         step_walk(&state, packet->word + i);
     describe_record(&state, packet->word + at, (uint32_t)(word % 4), text, size);
 }
+
+bool hs_output_accepted(const hs_output *output, hs_error *err) {
+    const uint32_t status = output->status;
+    if (status == HS_STATUS_OK || status == HS_STATUS_STOPPED) return true;
+    return hs_fail(err, HS_EXIT_REFUSED, "the view is refused, %s: %s; %s", hs_status_name(status),
+                   hs_status_what(status), hs_status_remedy(status));
+}

@@ -101,12 +101,7 @@ static bool complete(request *r, const texts *t, hs_error *err) {
                        "or ndc");
     if (r->text && r->format != PLY)
         return hs_fail(err, HS_EXIT_USAGE, "--text is for PLY alone; drop it, or use --to ply");
-    if (!hs_pair_parse(t->size, 'x', &r->width, &r->height) || r->width < 16 || r->height < 16 ||
-        r->width > 8192 || r->height > 8192)
-        return hs_fail(err, HS_EXIT_USAGE,
-                       "--size is \"%.40s\"; it should be WIDTHxHEIGHT, 16 to 8192 each, as in "
-                       "768x768",
-                       t->size);
+    if (!hs_size_parse(t->size, &r->width, &r->height, err)) return false;
     if (t->views_given && t->orbit_given)
         return hs_fail(err, HS_EXIT_USAGE, "--views and --orbit exclude each other; give one");
     return hs_surface_settings(&r->settings, &t->surface, r->force != NULL, r->width, r->height,

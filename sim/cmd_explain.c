@@ -64,12 +64,7 @@ static bool complete(request *r, const texts *t, hs_error *err) {
     if (t->pixel && !hs_pair_parse(t->pixel, ',', &r->x, &r->y))
         return hs_fail(err, HS_EXIT_USAGE, "--pixel is \"%.40s\"; it should be X,Y, as in 380,240",
                        t->pixel);
-    if (!hs_pair_parse(t->size, 'x', &r->width, &r->height) || r->width < 16 || r->height < 16 ||
-        r->width > 8192 || r->height > 8192)
-        return hs_fail(err, HS_EXIT_USAGE,
-                       "--size is \"%.40s\"; it should be WIDTHxHEIGHT, 16 to 8192 each, as in "
-                       "768x768",
-                       t->size);
+    if (!hs_size_parse(t->size, &r->width, &r->height, err)) return false;
     if (t->pixel && (r->x >= r->width || r->y >= r->height))
         return hs_fail(err, HS_EXIT_USAGE,
                        "--pixel %u,%u is beyond the picture; pixels are 0,0 to %u,%u", r->x, r->y,

@@ -104,12 +104,7 @@ static bool complete(request *r, const texts *t, hs_error *err) {
                        "another file",
                        r->file);
     if (!check_figure(r->what, err)) return false;
-    if (!hs_pair_parse(t->size, 'x', &r->width, &r->height) || r->width < 16 || r->height < 16 ||
-        r->width > 8192 || r->height > 8192)
-        return hs_fail(err, HS_EXIT_USAGE,
-                       "--size is \"%.40s\"; it should be WIDTHxHEIGHT, 16 to 8192 each, as in "
-                       "768x768",
-                       t->size);
+    if (!hs_size_parse(t->size, &r->width, &r->height, err)) return false;
     if (r->views_given && r->orbit_given)
         return hs_fail(err, HS_EXIT_USAGE, "--views and --orbit exclude each other; give one");
     const hs_surface_options *o = &t->surface;
@@ -182,18 +177,19 @@ static bool choose_view(scene *s, const request *r, uint32_t number, const hs_me
                         hs_error *err) {
     if (!r->views && !mesh)
         return hs_fail(err, HS_EXIT_USAGE, "%.300s: no mesh to go around; give --views", r->source);
-    const double aspect = (double)r->width / r->height;
     hs_views views;
     hs_view view;
-    if (!hs_view_choose(&view, number, r->views, r->orbit, mesh, aspect, err) ||
-        !hs_views_open(&views, r->views, r->orbit, mesh, aspect, err))
+    if (!hs_views_open(&views, r->views, r->orbit, mesh, (double)r->width / r->height, err))
         return false;
-    memcpy(s->matrix, view.matrix, sizeof s->matrix);
-    memcpy(s->aside, views.view[views.count / 8].matrix, sizeof s->aside);
-    s->view = number;
-    s->views = views.count;
+    const bool there = hs_views_choose(&view, &views, number, err);
+    if (there) {
+        memcpy(s->matrix, view.matrix, sizeof s->matrix);
+        memcpy(s->aside, views.view[views.count / 8].matrix, sizeof s->aside);
+        s->view = number;
+        s->views = views.count;
+    }
     hs_views_free(&views);
-    return true;
+    return there;
 }
 
 static bool open_mesh(scene *s, const request *r, hs_error *err) {

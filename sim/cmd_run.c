@@ -108,12 +108,7 @@ static int to_stdout(const hs_run_request *r) {
 
 static bool complete(hs_run_request *r, const texts *t, hs_error *err) {
     if (!hs_engines_parse(t->engines, &r->engines, err)) return false;
-    if (!hs_pair_parse(t->size, 'x', &r->width, &r->height) || r->width < 16 || r->height < 16 ||
-        r->width > 8192 || r->height > 8192)
-        return hs_fail(err, HS_EXIT_USAGE,
-                       "--size is \"%.40s\"; it should be WIDTHxHEIGHT, 16 to 8192 each, as in "
-                       "768x768",
-                       t->size);
+    if (!hs_size_parse(t->size, &r->width, &r->height, err)) return false;
     if (t->stalls) {
         uint32_t in, out;
         if (!hs_pair_parse(t->stalls, ',', &in, &out) || in > 95 || out > 95)

@@ -21,23 +21,6 @@ static const char BEGIN[] =
     "  halfstep mesh info MESH.obj\n"
     "      says what a mesh is like, or what is wrong with it\n";
 
-typedef struct exit_code {
-    int code;
-    const char *what;
-} exit_code;
-#define CONSTANT(name, value, what)
-#define RECORD(name, value, what)
-#define STATUS(name, value, what, remedy)
-#define STAGE(name, index, what)
-#define ACTIVITY(name, index, what)
-#define REGISTER(name, address, access, what)
-#define PROBE(name, index, stage, what)
-#define EXIT(name, value, what) {value, what},
-static const exit_code EXITS[] = {
-#include "definitions.def"
-};
-enum { EXIT_COUNT = sizeof EXITS / sizeof *EXITS };
-
 /* --- Help ---------------------------------------------------------------------------------------
  */
 
@@ -52,8 +35,8 @@ void hs_print_help(const hs_part *command) {
            "  halfstep --version\n\n"
            "To begin with:\n%s\nExit codes:\n",
            BEGIN);
-    for (int i = 0; i < EXIT_COUNT; i++)
-        printf("  %d  %s\n", EXITS[i].code, EXITS[i].what);
+    for (int code = 0; hs_exit_what(code); code++)
+        printf("  %d  %s\n", code, hs_exit_what(code));
 }
 
 /* All commands in a form, each by itself. */
@@ -199,9 +182,9 @@ static void print_man(const hs_part *command) {
     printf(".fi\n.SH COMMANDS\n");
     print_commands("--help=man", command);
     printf(".SH EXIT STATUS\n");
-    for (int i = 0; i < EXIT_COUNT; i++) {
-        printf(".TP\n.B %d\n", EXITS[i].code);
-        hs_help_print_roff(EXITS[i].what);
+    for (int code = 0; hs_exit_what(code); code++) {
+        printf(".TP\n.B %d\n", code);
+        hs_help_print_roff(hs_exit_what(code));
         printf("\n");
     }
     printf(".SH ENVIRONMENT\n.TP\n.B NO_COLOR\n"

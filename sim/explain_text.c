@@ -7,30 +7,7 @@
 #include <string.h>
 
 #include "surface_options.h"
-
-enum { WIDTH = 80 };
-
-/* Prints words from a column on; what does not fit goes below, from column `indent` on. */
-static void wrap(FILE *stream, const char *text, int column, int indent) {
-    bool first = true;
-    while (*text) {
-        const int length = (int)strcspn(text, " ");
-        if (!first && column + 1 + length > WIDTH) {
-            fprintf(stream, "\n%*s", indent, "");
-            column = indent;
-            first = true;
-        }
-        if (!first) {
-            fputc(' ', stream);
-            column++;
-        }
-        fprintf(stream, "%.*s", length, text);
-        column += length;
-        text += length + (text[length] == ' ');
-        first = false;
-    }
-    fputc('\n', stream);
-}
+#include "terminal.h"
 
 static void print_title(FILE *stream, const hs_history *history, const hs_subject *subject,
                         const char *mesh, uint32_t view) {
@@ -43,7 +20,7 @@ static void print_title(FILE *stream, const hs_history *history, const hs_subjec
                  s->silhouette_depth, s->guard);
     snprintf(text, sizeof text, "%.300s, view %u; %s, boundary %s", mesh, view, how,
              hs_boundary_name(s->boundary));
-    wrap(stream, text, 0, 2);
+    hs_print_wrapped(stream, 0, 2, text);
     const hs_past *p = &history->past[subject->generation];
     if (subject->halfedge != HS_HISTORY_NONE)
         snprintf(text, sizeof text, "%s: a triangle of generation %u, at a kept edge of face %u:%u",
@@ -61,7 +38,7 @@ static void print_title(FILE *stream, const hs_history *history, const hs_subjec
     else if (subject->generation)
         snprintf(text + strlen(text), sizeof text - strlen(text),
                  ", half in initial face %u, half in %u", within[0], within[1]);
-    wrap(stream, text, 0, 2);
+    hs_print_wrapped(stream, 0, 2, text);
 }
 
 /* A row of the table: the facts of an active face, and what follows from them. */
@@ -78,11 +55,11 @@ static void print_face(FILE *stream, const hs_history *history, uint32_t g, uint
                 marked ? (p->term[f] & TERM_IN_VIEW ? "in" : "out") : "-", silhouette,
                 marked ? (p->term[f] & TERM_CANDIDATE ? "yes" : "no") : "-");
     hs_explain_why(history, g, f, text, sizeof text);
-    wrap(stream, text, column, column);
+    hs_print_wrapped(stream, column, column, text);
     if (g == 0) return;
     hs_explain_rule(history, g, f, text, sizeof text);
     fprintf(stream, "%*s", 13, "");
-    wrap(stream, text, 13, 13);
+    hs_print_wrapped(stream, 13, 13, text);
 }
 
 /* The triangle of a refined face: the face beyond its edge was not refined. */
@@ -107,7 +84,7 @@ static void print_triangle(FILE *stream, const hs_history *history, const hs_sub
                  g, beyond, v, w, v, w, p->number[f]);
     }
     fputc('\n', stream);
-    wrap(stream, text, 0, 2);
+    hs_print_wrapped(stream, 0, 2, text);
 }
 
 static void print_inside(FILE *stream, const hs_history *history, uint32_t initial) {
@@ -124,7 +101,7 @@ static void print_inside(FILE *stream, const hs_history *history, uint32_t initi
             char text[300];
             hs_explain_terms(history, g, reason[r].face, text, sizeof text);
             const int column = fprintf(stream, "%4snot selected, %u: ", "", reason[r].count);
-            wrap(stream, text, column, 6);
+            hs_print_wrapped(stream, column, 6, text);
         }
     }
 }

@@ -22,11 +22,7 @@ static bool run_model(hs_output *output, const hs_figure_source *source, hs_erro
     const bool done =
         model && hs_packet_encode(&in, 0, source->mesh, source->matrix, &source->settings, err) &&
         hs_model_run(model, &in, (hs_stalls){0}, &out, &report, &cycles, NULL, err) &&
-        (report.status <= HS_STATUS_STOPPED ||
-         hs_fail(err, HS_EXIT_REFUSED, "the view is refused, %s: %s; %s",
-                 hs_status_name(report.status), hs_status_what(report.status),
-                 hs_status_remedy(report.status))) &&
-        hs_output_decode(output, &out, err);
+        hs_output_decode(output, &out, err) && hs_output_accepted(output, err);
     if (done) source->counts->cycles = cycles.cycles;
     if (done && report.status == HS_STATUS_STOPPED && source->stopped) *source->stopped = true;
     hs_model_free(model);

@@ -9,14 +9,12 @@ bool hs_refine(hs_output *output, const hs_mesh *mesh, const float matrix[16],
     hs_golden *golden = hs_golden_new(limits);
     const bool done = golden ? hs_packet_encode(&in, 0, mesh, matrix, settings, err) &&
                                    hs_golden_run(golden, &in, &out, &report, err) &&
-                                   hs_output_decode(output, &out, err)
+                                   hs_output_decode(output, &out, err) &&
+                                   hs_output_accepted(output, err)
                              : hs_fail(err, HS_EXIT_INTERNAL, "no memory for golden");
     hs_golden_free(golden);
     hs_packet_free(&in);
     hs_packet_free(&out);
-    if (!done || output->status == HS_STATUS_OK || output->status == HS_STATUS_STOPPED) return done;
-    const uint32_t status = output->status;
-    hs_output_free(output);
-    return hs_fail(err, HS_EXIT_REFUSED, "the view is refused, %s: %s; %s", hs_status_name(status),
-                   hs_status_what(status), hs_status_remedy(status));
+    if (!done) hs_output_free(output);
+    return done;
 }

@@ -49,6 +49,16 @@ static bool set_depths(hs_settings *settings, const hs_surface_options *o, bool 
     return true;
 }
 
+bool hs_size_parse(const char *text, uint32_t *width, uint32_t *height, hs_error *err) {
+    enum { LEAST = 16, MOST = 8192 };
+    if (hs_pair_parse(text, 'x', width, height) && *width >= LEAST && *height >= LEAST &&
+        *width <= MOST && *height <= MOST)
+        return true;
+    return hs_fail(err, HS_EXIT_USAGE,
+                   "--size is \"%.40s\"; it should be WIDTHxHEIGHT, %d to %d each, as in 768x768",
+                   text, LEAST, MOST);
+}
+
 bool hs_surface_settings(hs_settings *settings, const hs_surface_options *o, bool forced,
                          uint32_t width, uint32_t height, hs_error *err) {
     *settings = (hs_settings){.guard = o->guard != 0,

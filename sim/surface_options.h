@@ -51,6 +51,10 @@ bool hs_boundary_parse(const char *text, hs_boundary *boundary);
 /* Reads a length in pixels, 1/16 to 4095, to the nearest sixteenth; false if it is none. */
 bool hs_pixels_parse(const char *text, uint16_t *sixteenths);
 
+/* Reads the size of a picture, as in "768x768", 16 to 8192 each. False (HS_EXIT_USAGE) otherwise.
+ */
+bool hs_size_parse(const char *text, uint32_t *width, uint32_t *height, hs_error *err);
+
 /* Makes settings of them; boundary is smooth if not given, width and height are the picture's,
  * forced: depths of single faces are given as well. With a least edge, depths that are not given
  * become limits for safety only: HS_SAFETY_DEPTH. False (HS_EXIT_USAGE) if a text is not understood

@@ -188,16 +188,19 @@ bool hs_views_open(hs_views *views, const char *path, uint32_t orbit, const hs_m
     return false;
 }
 
+bool hs_views_choose(hs_view *view, const hs_views *views, uint32_t number, hs_error *err) {
+    if (number >= views->count)
+        return hs_fail(err, HS_EXIT_USAGE, "there is no view %u; views are 0 to %u", number,
+                       views->count - 1);
+    *view = views->view[number];
+    return true;
+}
+
 bool hs_view_choose(hs_view *view, uint32_t number, const char *path, uint32_t orbit,
                     const hs_mesh *mesh, double aspect, hs_error *err) {
     hs_views views;
     if (!hs_views_open(&views, path, orbit, mesh, aspect, err)) return false;
-    const bool there = number < views.count;
-    if (there)
-        *view = views.view[number];
-    else
-        hs_fail(err, HS_EXIT_USAGE, "there is no view %u; views are 0 to %u", number,
-                views.count - 1);
+    const bool there = hs_views_choose(view, &views, number, err);
     hs_views_free(&views);
     return there;
 }

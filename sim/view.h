@@ -56,6 +56,9 @@ bool hs_views_open(hs_views *views, const char *path, uint32_t orbit, const hs_m
                    double aspect, hs_error *err);
 
 /* One of them. Fails (HS_EXIT_USAGE) if there is none of that number, which counts from 0. */
+bool hs_views_choose(hs_view *view, const hs_views *views, uint32_t number, hs_error *err);
+
+/* Both: opens them for one of them. */
 bool hs_view_choose(hs_view *view, uint32_t number, const char *path, uint32_t orbit,
                     const hs_mesh *mesh, double aspect, hs_error *err);
 

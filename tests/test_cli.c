@@ -131,6 +131,23 @@ static void a_bad_mesh_is_named_by_file_and_line(void **state) {
     expect(HS_EXIT_MESH, "mesh info @/two.obj shape:cube", "valence      3: 8");
 }
 
+/* What comes through a pipe can be read once. */
+static void views_may_come_through_a_pipe(void **state) {
+    (void)state;
+    static const char *const command[] = {"run", "render", "convert", "explain"};
+    static const char *const how[] = {"--engine golden --json @/run.json", "-w refined --json @/r",
+                                      "-o @/c.ply", "--face 0 --json @/e"};
+    write_text("views.txt", "look eye 0 0 5 at 0 0 0 up 0 1 0 fov 40 near 1 far 9\n");
+    for (size_t i = 0; i < sizeof command / sizeof *command; i++) {
+        char line[400];
+        snprintf(
+            line, sizeof line,
+            "cat @/views.txt | build/halfstep %s shape:cube --views /dev/stdin %s >@/said 2>&1",
+            command[i], how[i]);
+        if (system(with_folder(&place, line)) != 0) fail_msg("%s", line);
+    }
+}
+
 static void a_bad_views_file_is_named_by_line(void **state) {
     (void)state;
     write_text("bad.txt", "# one\nmatrix 1 2 3\n");
@@ -502,6 +519,7 @@ int main(void) {
         TEST(a_standard_output_that_takes_nothing_is_an_error),
         TEST(the_model_counts_the_cycles_of_the_rtl),
         TEST(a_bad_mesh_is_named_by_file_and_line),
+        TEST(views_may_come_through_a_pipe),
         TEST(a_bad_views_file_is_named_by_line),
         TEST(a_bad_force_file_is_named_by_line),
         TEST(an_unwritable_place_is_named_before_the_work_begins),
