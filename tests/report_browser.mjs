@@ -230,6 +230,14 @@ test('the Pareto front is that of the exploration', async (page) => {
   await settle(page);
 });
 
+// The whole page for people to look at, in parts: Chromium's surface ends at 8192 pixels, and what is below it shows the top again.
+async function shoot(page, name) {
+  const part = 4000;
+  const { width, height } = await page.evaluate(() => ({ width: innerWidth, height: document.documentElement.scrollHeight }));
+  for (let top = 0; top < height; top += part)
+    await page.screenshot({ path: join(folder, `${name}-${top / part}.png`), fullPage: true, clip: { x: 0, y: top, width, height: Math.min(part, height - top) } });
+}
+
 test('it reads well in each width and theme: nothing scrolls sideways', async () => {
   for (const width of [1440, 800, 390])
     for (const colorScheme of ['light', 'dark']) {
@@ -238,7 +246,7 @@ test('it reads well in each width and theme: nothing scrolls sideways', async ()
       assert.ok(scroll <= client && client <= width, `${scroll} pixels at ${width}`);
       const wide = await page.evaluate(() => [...document.querySelectorAll('#page *')].filter((e) => e.getBoundingClientRect().right > innerWidth + 1).map((e) => e.tagName + e.className).slice(0, 5));
       assert.deepEqual(wide, [], `at ${width}`);
-      await page.screenshot({ path: join(folder, `${width}-${colorScheme}.png`), fullPage: true });
+      await shoot(page, `${width}-${colorScheme}`);
       assert.deepEqual(page.wrong, []);
       await page.context().close();
     }
