@@ -77,9 +77,12 @@ include sim/rtl.mk sim/pictures.mk sim/report.mk sim/install.mk $(wildcard tests
 
 # --- What there is to do --------------------------------------------------------------------------
 .PHONY: run test lint format clean help
+# Side by side: the RTL is one thread, and so is most of what draws.
 run: $(BUILD)/halfstep ## the main job: hand and monster head, 8 views each, through the RTL
-	@$< run shape:hand --orbit 8 --out out/hand --json out/hand/run.json
-	@$< run shape:monster --orbit 8 --out out/monster --json out/monster/run.json
+	+@$(MAKE) -s --output-sync=target run-hand run-monster
+.PHONY: run-hand run-monster
+run-hand run-monster: run-%: $(BUILD)/halfstep
+	@$< run shape:$* --orbit 8 --out out/$*
 
 # The longest first, so that none of them runs alone at the end.
 LONGEST := $(addprefix $(BUILD)/test_,rtl rtl_surface harness cli invariants processes terminal install)
