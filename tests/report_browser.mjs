@@ -87,6 +87,18 @@ test('every plot has drawn something, and its numbers are there', async (page) =
   await page.locator('figure:has(#plot-cycles) summary').click();
 });
 
+test('a camera path shows what changes from frame to frame', async (page) => {
+  const cells = await page.locator('#table-path tbody tr').evaluateAll((rows) => rows.map((row) => [...row.children].map((c) => c.textContent)));
+  assert.equal(cells.length, run.views.length);
+  assert.deepEqual(cells[0].slice(2, 8), ['–', '–', '–', '–', '–', '–']);
+  run.views.slice(1).forEach(({ path, engines }, i) => {
+    const row = cells[i + 1].map((text) => Number(text.replaceAll(',', '')));
+    assert.deepEqual(row.slice(1, 8), [engines.rtl.faces, path.faces_kept, path.faces_gained, path.faces_lost, path.vertices_shared, path.vertices_compared, path.vertices_moved]);
+    assert.ok(path.faces_gained > 0 && path.faces_lost > 0 && path.vertices_compared > 0);
+  });
+  assert.match(await page.textContent('#path'), /none moved/);
+});
+
 test('a table is sorted by a click, and the other way by another', async (page) => {
   const column = () => texts(page, '#table-views tbody tr td:nth-child(6)').then((all) => all.map(integer));
   const head = page.locator('#table-views th:nth-child(6)');
@@ -284,7 +296,7 @@ test('names are text, whatever they hold', async () => {
 
 test('data that lack nearly everything make a page all the same', async () => {
   const empty = { run: { views: [] }, written: '', with: [], explore: [{ points: [] }], pictures: {}, meshes: {}, timelines: [], notes: [] };
-  const odd = { ...empty, run: { views: [{ view: 3, engines: {}, generations: 7, comparisons: null }, { view: 1, engines: { rtl: { cycles: 'x' } } }] }, explore: [{ points: [{}] }] };
+  const odd = { ...empty, run: { views: [{ view: 3, engines: {}, generations: 7, comparisons: null }, { view: 1, engines: { rtl: { cycles: 'x' } }, path: 5 }] }, explore: [{ points: [{}] }] };
   for (const data of [empty, odd]) {
     const page = await openData('empty.html', data);
     assert.ok(await page.locator('section').count() >= 6);

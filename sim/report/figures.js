@@ -103,6 +103,24 @@ export function cycleRows(run) {
   });
 }
 
+export const PATH_COLUMNS = [
+  { key: 'view', label: 'frame', digits: 0 }, { key: 'faces', label: 'faces', digits: 0 },
+  { key: 'faces_kept', label: 'kept', digits: 0 }, { key: 'faces_gained', label: 'gained', digits: 0 },
+  { key: 'faces_lost', label: 'lost', digits: 0 }, { key: 'vertices_shared', label: 'shared vertices', digits: 0 },
+  { key: 'vertices_compared', label: 'compared', digits: 0 }, { key: 'vertices_moved', label: 'moved', digits: 0 },
+  { key: 'silhouette_share', label: 'silhouette, %', digits: 2 },
+];
+
+/** Of a camera path: each frame beside the one before it. Empty if the run's views are no path. */
+export function pathRows(run) {
+  return list(run.views).filter((view) => view.path !== undefined).map((view) => {
+    const row = { view: view.view, faces: view.engines[outEngine(view)]?.faces ?? null };
+    for (const { key } of PATH_COLUMNS) if (!(key in row)) row[key] = view.path?.[key] ?? null;
+    if (row.silhouette_share !== null) row.silhouette_share *= 100;
+    return row;
+  });
+}
+
 export const GENERATION_COLUMNS = [
   { key: 'view', label: 'view', digits: 0 }, { key: 'generation', label: 'generation', digits: 0 },
   { key: 'active', label: 'active', digits: 0 }, { key: 'selected', label: 'selected', digits: 0 },

@@ -271,6 +271,31 @@ function viewsSection() {
     tableBox({ name: 'views', label: 'Views', columns, rows: viewRows, sort: 'view' }));
 }
 
+function pathSection() {
+  const rows = figures.pathRows(run);
+  if (!rows.length) return null;
+  const bars = (label, key, color, sign = 1) => ({ label, data: rows.map((r) => (r[key] === null ? null : sign * r[key])), backgroundColor: color });
+  const faces = addPlot({
+    name: 'path', title: 'Faces from frame to frame:', note: 'kept of the frame before, gained, and, downwards, lost.',
+    make: () => ({
+      type: 'bar', columns: figures.PATH_COLUMNS, rows,
+      data: {
+        labels: rows.map((r) => r.view),
+        datasets: [bars('kept', 'faces_kept', PALETTE[0]), bars('gained', 'faces_gained', PALETTE[2]), bars('lost', 'faces_lost', PALETTE[3], -1)],
+      },
+      options: {
+        interaction: { mode: 'index' }, plugins: { tooltip: { callbacks: { label: ({ dataset, raw }) => `${dataset.label}: ${number(Math.abs(raw))}` } } },
+        scales: { x: axis('frame', stacked), y: axis('faces', stacked) },
+      },
+    }),
+  });
+  const moved = rows.reduce((all, row) => all + (row.vertices_moved ?? 0), 0), compared = rows.reduce((all, row) => all + (row.vertices_compared ?? 0), 0);
+  return section('path', 'Camera path',
+    h('p', { class: moved ? 'warning' : 'soft' }, `Of ${number(compared)} vertices that two frames have at one level, ${moved ? number(moved) : 'none'} moved.`),
+    h('div', { class: 'plots' }, faces.element),
+    tableBox({ name: 'path', label: 'Camera path', columns: figures.PATH_COLUMNS, rows }));
+}
+
 function generationSection() {
   if (!views.some((view) => Array.isArray(view.generations))) return null;
   const rows = views.flatMap(figures.generationRows);
@@ -310,7 +335,7 @@ function attempt([id, title, make]) {
 
 const all = [
   ['ran', 'What ran', whatRan], ['verdicts', 'Verdicts', verdicts], ['pictures', 'Pictures', pictures], ['mesh', 'Mesh', meshes],
-  ['views', 'Views', viewsSection], ['generations', 'Generations', generationSection], ['size', 'Mesh size', sizeSection],
+  ['views', 'Views', viewsSection], ['path', 'Camera path', pathSection], ['generations', 'Generations', generationSection], ['size', 'Mesh size', sizeSection],
   ['design', 'Design space', design], ['timeline', 'Timeline', timelines], ['notes', 'Notes', notes],
 ].map(attempt).filter(Boolean);
 listeners.push(() => plots.forEach((one) => one.redraw()));
