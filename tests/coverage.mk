@@ -7,9 +7,10 @@ COVERAGE_PARITY := 2
 
 # --- The C: a tree of links with a build folder of its own, since tests name build/halfstep. What is
 # Verilated in it is the ordinary build's. The long tests of the RTL and those of single modules add
-# nothing to the C that others do not run in a tenth of the time.
+# nothing to the C that others do not run in a tenth of the time; those of installation and docs run make
+# and git, which belong into the checkout.
 COVERAGE_TREE := $(COVERAGE)/tree
-COVERAGE_ALONE := $(UNITS) fp receive receive_hostile rtl rtl_hostile rtl_surface rtl_throughput smallest
+COVERAGE_ALONE := $(UNITS) docs fp install receive receive_hostile rtl rtl_hostile rtl_surface rtl_throughput smallest
 COVERAGE_C := $(filter-out $(COVERAGE_ALONE:%=$(BUILD)/test_%),$(TESTS))
 
 # --- The RTL: tests of single modules, the pipeline in two architectures, hostile packets, flipped bits. Its
@@ -27,7 +28,7 @@ COVERAGE_VERILATE = $(VERILATE) --coverage-line --coverage-toggle -fno-split -fn
 coverage: $(COVERAGE_C) $(BUILD)/halfstep $(BUILD)/libsim.a $(BUILD)/tests/parity.o ## lines, branches and toggles that the tests cover: out/coverage.md
 	@$(call INSTALL,gcovr)
 	@mkdir -p $(COVERAGE_TREE)/build $(COVERAGE_RTL)
-	@ln -sfn $(addprefix $(CURDIR)/,Makefile model sim rtl docs traces tests) $(COVERAGE_TREE)
+	@ln -sfn $(addprefix $(CURDIR)/,Makefile README.md model sim rtl docs traces tests) $(COVERAGE_TREE)
 	@ln -sfn $(abspath $(BUILD))/verilated $(COVERAGE_TREE)/build/verilated
 	@ln -sfn $(addprefix $(abspath $(BUILD))/,model sim tests libsim.a libhalfstep.a) $(COVERAGE_RTL)
 	@cp $(BUILD)/packages.mk $(COVERAGE_TREE)/build && cp $(BUILD)/packages.mk $(COVERAGE_RTL)
