@@ -41,4 +41,4 @@ coverage: $(COVERAGE_C) $(BUILD)/halfstep $(BUILD)/libsim.a $(BUILD)/tests/parit
 	    PIPELINE="tests/coverage/elsewhere.vlt -GVERTICES=$(word 1,$(COVERAGE_CAPACITY)) -GQUADS=$(word 2,$(COVERAGE_CAPACITY)) $(PIPELINE)" \
 	    $(addprefix $(COVERAGE_RTL)/,$(COVERAGE_UNITS) $(COVERAGE_PIPELINES))
 	@tests/coverage/run $(COVERAGE) out/coverage.md $(COVERAGE_PARITY) $(COVERAGE_CAPACITY) \
-	    $(COVERAGE_C:$(BUILD)/%=build/%) -- $(addprefix $(COVERAGE_RTL)/,$(COVERAGE_UNITS) $(COVERAGE_PIPELINES))
+	    $(patsubst $(BUILD)/%,build/%,$(filter $(LONGEST),$(COVERAGE_C)) $(filter-out $(LONGEST),$(COVERAGE_C))) -- $(addprefix $(COVERAGE_RTL)/,$(COVERAGE_UNITS) $(COVERAGE_PIPELINES))

@@ -19,6 +19,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cases.h"
 #include "compare.h"
 #include "mesh.h"
 #include "model.h"
@@ -214,14 +215,6 @@ static inline hs_settings adaptive(uint8_t front, uint8_t silhouette, bool guard
 
 static inline hs_settings uniform(uint8_t depth) {
     return (hs_settings){.uniform = true, .uniform_depth = depth};
-}
-
-/* More cases on request: HS_CASES=10 makes ten times as many. */
-static inline uint32_t cases(uint32_t count) {
-    const char *text = getenv("HS_CASES");
-    const double factor = text ? atof(text) : 1;
-    const double wanted = count * (factor > 0 ? factor : 1);
-    return wanted < 4e9 ? (uint32_t)wanted : UINT32_MAX;
 }
 
 /* --- Random numbers: a linear congruence's upper bits, the same everywhere -----------------------

@@ -17,6 +17,7 @@
 #include <cmocka.h>
 
 #include "arithmetic.h"
+#include "cases.h"
 #include "fp_operands.h"
 #include "fp_shim.h"
 
@@ -62,7 +63,7 @@ static size_t differences(enum fp_operation operation, size_t n, const uint32_t 
 }
 
 static void check_random_pairs(enum fp_operation operation, uint32_t gaps) {
-    const size_t n = 1000000;
+    const size_t n = cases(1000000);
     uint32_t *a = calloc(n, sizeof *a), *b = calloc(n, sizeof *b);
     assert_non_null(a);
     assert_non_null(b);
@@ -144,7 +145,7 @@ static void fixed_point_is_the_nearest_to_every_float(void **unused) {
         }
     }
     uint64_t state = 1;
-    for (int i = 0; i < 1000000; i++) {
+    for (uint32_t i = 0; i < cases(1000000); i++) {
         int exponent = random_exponent(&state);
         check_to_fixed(shim, random_component(&state, exponent), exponent);
     }
@@ -167,7 +168,7 @@ static void floats_are_the_nearest_to_every_fixed_point_number(void **unused) {
                 check_to_float(shim, (1 << bit) + beside, exponent);
     }
     uint64_t state = 2;
-    for (int i = 0; i < 1000000; i++) {
+    for (uint32_t i = 0; i < cases(1000000); i++) {
         int exponent = random_exponent(&state);
         int32_t q = random_fixed(&state, exponent);
         check_to_float(shim, q, exponent);
@@ -182,7 +183,7 @@ static void conversion_there_and_back_is_exact(void **unused) {
     fp_shim *shim = fp_new();
     uint64_t state = 3;
     uint32_t floats = 0, fixed = 0;
-    for (int i = 0; i < 300000; i++) {
+    for (uint32_t i = 0; i < cases(300000); i++) {
         int exponent = random_exponent(&state);
         uint32_t c = random_component(&state, exponent);
         int32_t q = fp_to_fixed(shim, c, exponent);
@@ -197,7 +198,7 @@ static void conversion_there_and_back_is_exact(void **unused) {
             assert_int_equal(fp_to_fixed(shim, fp_to_float(shim, q, exponent), exponent), q);
         }
     }
-    assert_true(floats > 50000 && fixed > 50000);
+    assert_true(floats > cases(50000) && fixed > cases(50000));
     fp_free(shim);
 }
 
@@ -268,14 +269,14 @@ static uint32_t check_transform(uint32_t batches, int spread, uint32_t gaps) {
 
 static void transform_equals_floats_in_the_order_of_the_contract(void **state) {
     (void)state;
-    assert_int_equal(check_transform(80, 12, 0), 0);
-    assert_int_equal(check_transform(20, 12, 1), 0);
+    assert_int_equal(check_transform(cases(80), 12, 0), 0);
+    assert_int_equal(check_transform(cases(20), 12, 1), 0);
 }
 
 static void transform_reports_the_first_row_that_overflows(void **state) {
     (void)state;
-    uint32_t overflows = check_transform(20, 128, 1);
-    assert_in_range(overflows, 100, 19900);
+    uint32_t overflows = check_transform(cases(20), 128, 1);
+    assert_in_range(overflows, cases(100), cases(19900));
 }
 
 static void transform_clears_its_magnitude_between_views(void **state) {

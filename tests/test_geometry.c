@@ -13,6 +13,7 @@
 #include <cmocka.h>
 
 #include "arithmetic.h"
+#include "cases.h"
 #include "facing_corners.h"
 #include "geometry_shim.h"
 
@@ -316,7 +317,7 @@ static void every_determinant_has_its_sign_however_close_to_zero(void **state) {
     stream = random_state(9);
     geometry_rtl *rtl = geometry_rtl_new(7);
     uint32_t known[3] = {0};
-    for (uint32_t i = 0; i < 100000; i++) {
+    for (uint32_t i = 0; i < cases(100000); i++) {
         const corners c = random_corners(&stream, i % CORNER_KINDS);
         int32_t p[3][4] = {{0}};
         for (int k = 0; k < 12; k++)
@@ -328,7 +329,7 @@ static void every_determinant_has_its_sign_however_close_to_zero(void **state) {
         known[c.known ? front : 2]++;
     }
     for (int i = 0; i < 3; i++)
-        assert_true(known[i] > 10000);
+        assert_true(known[i] > cases(10000));
     geometry_rtl_free(rtl);
 }
 
@@ -395,7 +396,7 @@ static void every_edge_that_is_used_has_its_say_and_no_other(void **state) {
     stream = random_state(8);
     geometry_rtl *rtl = geometry_rtl_new(6);
     uint32_t seen[2] = {0};
-    for (int i = 0; i < 100000; i++) {
+    for (uint32_t i = 0; i < cases(100000); i++) {
         const geometry_settings s = random_settings(true);
         int32_t v[4][4], w[4][4];
         bool expected = true;
@@ -413,7 +414,7 @@ static void every_edge_that_is_used_has_its_say_and_no_other(void **state) {
         assert_int_equal(geometry_rtl_edges(rtl, &s, use, v, w), expected);
         seen[expected]++;
     }
-    assert_true(seen[0] > 10000 && seen[1] > 10000);
+    assert_true(seen[0] > cases(10000) && seen[1] > cases(10000));
     geometry_rtl_free(rtl);
 }
 
