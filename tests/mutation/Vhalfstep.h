@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
  * The pipeline that holds all mutants, where sim/rtl_shim.cpp expects the one without: its input
- * `mutsel` says which of them lives; 0: none.
+ * `mutant` says which of them lives; 0: none.
  */
 #ifndef HS_TESTS_MUTATION_VHALFSTEP_H
 #define HS_TESTS_MUTATION_VHALFSTEP_H
@@ -14,7 +14,7 @@ class VerilatedFstC;
 class Vhalfstep : public Vmutants {
   public:
     explicit Vhalfstep(VerilatedContext *context) : Vmutants(context) {
-        mutsel = living_mutant;
+        mutant = living_mutant;
     }
     void trace(VerilatedFstC *, int) {} /* without waveforms, it is sooner compiled */
 };
