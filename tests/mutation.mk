@@ -50,6 +50,7 @@ endif
 
 # --- The C code: each mutant is compiled alone ---------------------------------------------------------
 $(BUILD)/mutation/mutate: $(BUILD)/tests/mutation/mutate.o
+	@mkdir -p $(@D)
 	$(CC) $^ -o $@
 
 $(BUILD)/mutation/record_vectors: $(BUILD)/tests/mutation/record_vectors.o $(VECTORS) \
