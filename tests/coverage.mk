@@ -6,11 +6,11 @@ COVERAGE := $(BUILD)/coverage
 COVERAGE_PARITY := 2
 
 # --- The C: a tree of links with a build folder of its own, since tests name build/halfstep. What is
-# Verilated in it is the ordinary build's. The long tests of the RTL and those of single modules add
-# nothing to the C that others do not run in a tenth of the time; those of installation and docs run make
-# and git, which belong into the checkout.
+# Verilated in it is the ordinary build's. The long tests of the RTL, those of single modules and those of tools
+# and invariants add nothing to the C that others do not run in a tenth of the time; those of installation and docs
+# run make and git, which belong into the checkout.
 COVERAGE_TREE := $(COVERAGE)/tree
-COVERAGE_ALONE := $(UNITS) docs fp install receive receive_hostile rtl rtl_hostile rtl_surface rtl_throughput smallest
+COVERAGE_ALONE := $(UNITS) docs formal fp harness icarus install invariants receive receive_hostile rtl rtl_hostile rtl_surface rtl_throughput smallest
 COVERAGE_C := $(filter-out $(COVERAGE_ALONE:%=$(BUILD)/test_%),$(TESTS))
 
 # --- The RTL: tests of single modules, the pipeline in two architectures, hostile packets, flipped bits. Its
