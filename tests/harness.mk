@@ -17,6 +17,10 @@ $(BUILD)/fail_alloc.so: tests/fail_alloc.c
 $(BUILD)/test_harness: | $(BUILD)/halfstep $(BUILD)/halfstep-faulty $(BUILD)/parity-faulty $(BUILD)/test_rtl_throughput
 $(BUILD)/test_processes: | $(BUILD)/halfstep $(BUILD)/fail_alloc.so
 
+.PHONY: harness
+harness: $(BUILD)/test_harness ## golden, baselines, words and comparisons that are wrong: the harness has to fail
+	@tests/run $<
+
 # Points of a run at which it is killed.
 POINTS := 50
 .PHONY: processes
