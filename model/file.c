@@ -162,7 +162,7 @@ static FILE *open_standard_output(void) {
 }
 
 bool hs_file_create(hs_file *file, const char *path, hs_error *err) {
-    *file = (hs_file){NULL, NULL, NULL};
+    *file = (hs_file){0};
     struct stat status;
     const bool standard = strcmp(path, "-") == 0;
     bool exists = !standard && stat(path, &status) == 0;
@@ -201,10 +201,24 @@ bool hs_file_reopen(hs_file *file, hs_error *err) {
     return false;
 }
 
+bool hs_file_beside(hs_file *file, const char *suffix, hs_error *err) {
+    if (asprintf(&file->beside, "%s%s", file->temporary, suffix) < 0) {
+        file->beside = NULL;
+        return exhausted(err, file->path);
+    }
+    note_pending(file->beside);
+    return true;
+}
+
 static void forget_temporary(hs_file *file) {
+    if (file->beside != NULL) {
+        unlink(file->beside);
+        forget_pending(file->beside);
+    }
     if (file->temporary != NULL) forget_pending(file->temporary);
+    free(file->beside);
     free(file->temporary);
-    file->temporary = NULL;
+    file->beside = file->temporary = NULL;
 }
 
 bool hs_file_commit(hs_file *file, hs_error *err) {
@@ -233,7 +247,7 @@ void hs_file_abandon(hs_file *file) {
     if (file->temporary != NULL) unlink(file->temporary);
     forget_temporary(file);
     free(file->path);
-    *file = (hs_file){NULL, NULL, NULL};
+    *file = (hs_file){0};
 }
 
 /* --- Reading --------------------------------------------------------------------------------- */

@@ -32,6 +32,7 @@ typedef struct hs_file {
     FILE *stream;
     char *path;      /* the target, symbolic links followed */
     char *temporary; /* NULL if the target is written directly: a terminal, a pipe, a device */
+    char *beside;    /* a library's own file, or NULL */
 } hs_file;
 
 /* Says that path cannot be written; cause is the errno, 0 if it is not known. Returns false. */
@@ -53,6 +54,10 @@ void hs_file_abandon(hs_file *file);
  * hs_file_commit makes it the target. */
 const char *hs_file_temporary(const hs_file *file);
 bool hs_file_reopen(hs_file *file, hs_error *err);
+
+/* Says that such a writer makes a second file meanwhile, the temporary one's name with suffix
+ * behind it; it is removed with the temporary one. For a file that has one, once. */
+bool hs_file_beside(hs_file *file, const char *suffix, hs_error *err);
 
 /* Removes the temporary files of all that this process writes; for the handler of a signal that
  * ends it. */

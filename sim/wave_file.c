@@ -14,20 +14,18 @@
  * The library maps its files into memory: where one cannot grow, it meets SIGBUS. Nothing can go on
  * from there, but it can be said.
  */
-static char full[400], hierarchy_file[4200]; /* what is said; a second file of the library's */
+static char full[400]; /* what is said */
 
 static void on_bus_error(int number) {
     (void)number;
     if (write(STDERR_FILENO, full, strlen(full)) < 0) _exit(HS_EXIT_INTERNAL);
-    unlink(hierarchy_file);
     hs_file_remove_all();
     _exit(HS_EXIT_FILE);
 }
 
-static void expect_full_disk(const char *path, const char *temporary) {
+static void expect_full_disk(const char *path) {
     snprintf(full, sizeof full,
              "halfstep: %.300s: cannot write: no space for the waveform; free some\n", path);
-    snprintf(hierarchy_file, sizeof hierarchy_file, "%.4000s.hier", temporary);
     signal(SIGBUS, on_bus_error);
 }
 
@@ -42,8 +40,9 @@ bool hs_wave_start(hs_file *file, const char *path, hs_rtl *rtl, uint64_t first,
         return hs_fail(err, HS_EXIT_FILE, "%.300s: a waveform needs a regular file; choose another",
                        path);
     }
-    expect_full_disk(path, hs_file_temporary(file));
-    if (hs_rtl_trace(rtl, hs_file_temporary(file), first, last, err) && hs_file_reopen(file, err))
+    expect_full_disk(path);
+    if (hs_file_beside(file, ".hier", err) &&
+        hs_rtl_trace(rtl, hs_file_temporary(file), first, last, err) && hs_file_reopen(file, err))
         return true;
     hs_error ignored;
     hs_rtl_trace(rtl, NULL, 0, 0, &ignored);

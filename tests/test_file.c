@@ -45,7 +45,8 @@ static void a_file_appears_only_when_it_is_committed(void **state) {
 
     write_file(path, "one");
     assert_content(path, "one");
-    assert_true(hs_file_create(&file, path, &err));
+    assert_true(hs_file_create(&file, path, &err) && hs_file_beside(&file, ".more", &err));
+    write_file(file.beside, "more");
     fputs("two", file.stream);
     fflush(file.stream);
     assert_content(path, "one");
@@ -73,7 +74,9 @@ static void a_process_that_ends_leaves_no_temporary_file(void **state) {
     if (child == 0) {
         hs_file before, behind;
         hs_error err;
-        const bool begun = hs_file_create(&before, inside(&f, "before"), &err);
+        const bool begun = hs_file_create(&before, inside(&f, "before"), &err) &&
+                           hs_file_beside(&before, ".more", &err);
+        if (begun) write_file(before.beside, "more");
         hs_file_remove_all();
         _exit(!begun || hs_file_create(&behind, inside(&f, "behind"), &err));
     }

@@ -112,6 +112,17 @@ static void a_killed_process_leaves_whole_files_and_a_rerun_completes(void **sta
     }
 }
 
+/* The library that writes FST has a second file while it is at work. */
+static void an_interrupted_waveform_leaves_nothing(void **state) {
+    (void)state;
+    const outcome *o =
+        run_line("mkdir @/o; build/halfstep run shape:torus --uniform 8 --engine rtl --quiet "
+                 "--wave @/o/w.fst >/dev/null & for n in $(seq 600); do "
+                 "test -e @/o/w.fst.partial-$!-0.hier && break; sleep 0.05; done; "
+                 "ls @/o | wc -l; kill $!; wait $!; ls @/o | sed 's/^/left /'");
+    if (strncmp(o->text, "2\n", 2) != 0 || strstr(o->text, "left")) fail_msg("%s", o->text);
+}
+
 /* --- Full disks ---------------------------------------------------------------------------------
  */
 
@@ -316,6 +327,7 @@ static void large_meshes_need_no_more_memory_than_is_stated(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         TEST(a_killed_process_leaves_whole_files_and_a_rerun_completes),
+        TEST(an_interrupted_waveform_leaves_nothing),
         TEST(a_write_that_fails_is_said_and_leaves_nothing_torn),
         TEST(a_full_file_system_is_said),
         TEST(a_folder_that_may_not_be_written_is_said),
