@@ -3,9 +3,11 @@
  * Has the mutants of the RTL answer the test vectors, each until its first difference in a word, a
  * cycle, a counter or a register.
  *
- *   kill_rtl JOBS RANDOM MUTANT...     a line for each mutant: number, "killed" or "alive", by what
+ *   kill_rtl JOBS RANDOM CYCLES MUTANT...   a line for each mutant: number, "killed" or "alive", by
+ * what
  *
- * RANDOM is how many of the vectors are random.
+ * RANDOM is how many of the vectors are random. Of all vectors those are taken that begin within
+ * CYCLES.
  *
  * Mutant 0 is none: it has to survive, or the program ends with HS_EXIT_DIFFERENT.
  */
@@ -237,8 +239,8 @@ static void run_mutants(char **number, uint32_t count, uint32_t jobs, const vect
 }
 
 int main(int argc, char **argv) {
-    if (argc < 4) {
-        fprintf(stderr, "usage: kill_rtl JOBS RANDOM MUTANT...\n");
+    if (argc < 5) {
+        fprintf(stderr, "usage: kill_rtl JOBS RANDOM CYCLES MUTANT...\n");
         return HS_EXIT_USAGE;
     }
     hs_error err = {0};
@@ -247,16 +249,19 @@ int main(int argc, char **argv) {
     if (!rtl) fprintf(stderr, "mutation: %s\n", err.text);
     if (!rtl) return HS_EXIT_DIFFERENT;
     const hs_model_config config = hs_rtl_config(rtl);
-    const vectors all = make_vectors(capacity, &config, (uint32_t)atoi(argv[2]));
+    vectors all = make_vectors(capacity, &config, (uint32_t)atoi(argv[2]));
     uint64_t cycles = 0;
     hs_rtl_free(rtl);
-    for (uint32_t i = 0; i < all.count; i++)
-        cycles += all.item[i].report.cycles;
+    const uint64_t most = strtoull(argv[3], NULL, 10);
+    uint32_t taken = 0;
+    for (; taken < all.count && cycles < most; taken++)
+        cycles += all.item[taken].report.cycles;
+    all.count = taken;
     fprintf(stderr, "%u vectors, %llu cycles\n", all.count, (unsigned long long)cycles);
     if (!survives(&all, finding)) {
         fprintf(stderr, "mutation: without a mutant: %s\n", finding);
         return HS_EXIT_DIFFERENT;
     }
-    run_mutants(argv + 3, (uint32_t)argc - 3, (uint32_t)atoi(argv[1]), &all);
+    run_mutants(argv + 4, (uint32_t)argc - 4, (uint32_t)atoi(argv[1]), &all);
     return HS_EXIT_OK;
 }

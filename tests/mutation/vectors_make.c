@@ -92,38 +92,43 @@ static void add_trace(vectors *all, const char *name, hs_limits limits) {
     hs_stream_file_free(&input);
 }
 
-/* Meshes, tags, settings, views and stalls by chance. */
-static void add_random(vectors *all, hs_limits limits, uint32_t wanted) {
+/* Chance, and how many vectors it has made. */
+typedef struct chance {
+    uint64_t random;
+    uint32_t tags, made;
+} chance;
+
+/* Meshes, tags, settings, views and stalls by chance, until so many are made. */
+static void add_random(vectors *all, hs_limits limits, chance *c, uint32_t wanted) {
     static const char *const name[] = {"grid", "cube", "icosahedron", "random", "tetrahedron"};
-    uint64_t random = 5;
-    uint32_t tags = 123456789;
-    for (uint32_t i = 0; i < wanted; i++) {
+    for (; c->made < wanted; c->made++) {
+        const uint32_t i = c->made;
         hs_mesh mesh;
         hs_view view[VIEWS];
         char text[80];
         if (i % 6 == 5)
             build_random_cube(&mesh, i + 1);
         else if (i % 8 == 3)
-            make_bicone(&mesh, 3 + random_below(&random, 12));
+            make_bicone(&mesh, 3 + random_below(&c->random, 12));
         else if (i % 8 == 4)
-            make_pillow(&mesh, 3 + random_below(&random, 20));
+            make_pillow(&mesh, 3 + random_below(&c->random, 20));
         else
             make_shape(&mesh, name[i % 5],
-                       i % 5 == 3 ? 24 + random_below(&random, 10)
+                       i % 5 == 3 ? 24 + random_below(&c->random, 10)
                        : i % 5    ? 0
                                   : 2,
                        i);
-        if (i % 3 != 2) tag_at_random(&mesh, &tags, 2 + i % 9, 3 + i % 20);
+        if (i % 3 != 2) tag_at_random(&mesh, &c->tags, 2 + i % 9, 3 + i % 20);
         for (uint32_t f = 0; i % 5 == 0 && f < mesh.faces; f++)
-            mesh.forced[f] = (uint8_t)random_below(&random, 4);
+            mesh.forced[f] = (uint8_t)random_below(&c->random, 4);
         make_views(&mesh, view);
-        hs_settings s = any_settings(&random);
+        hs_settings s = any_settings(&c->random);
         if (s.uniform_depth > 3) s.uniform_depth = 3;
         if (s.silhouette_depth > 5) s.silhouette_depth = 5;
         const hs_stalls stalls = {.seed = i,
                                   .input = i % 3 ? 0 : 40,
-                                  .output = i % 2 ? 0 : (uint8_t)random_below(&random, 90)};
-        const uint32_t v = random_below(&random, VIEWS);
+                                  .output = i % 2 ? 0 : (uint8_t)random_below(&c->random, 90)};
+        const uint32_t v = random_below(&c->random, VIEWS);
         snprintf(text, sizeof text, "random %u, %s", i, view_name[v]);
         add_view(all, text, limits, &mesh, view[v].matrix, &s, stalls);
         hs_mesh_free(&mesh);
@@ -326,12 +331,14 @@ static void add_glued(vectors *all, hs_limits limits) {
 }
 
 vectors make_vectors(hs_limits capacity, const hs_model_config *config, uint32_t random) {
+    enum { EARLY = 60 };
     vectors all = {.config = *config};
+    chance chance = {.random = 5, .tags = 123456789};
     add_first(&all, capacity);
     add_trace(&all, "refused-packets", capacity);
     add_trace(&all, "cube-4-8", capacity);
     add_trace(&all, "grid-boundary", capacity);
-    add_random(&all, capacity, random);
+    add_random(&all, capacity, &chance, random < EARLY ? random : EARLY);
     add_exponents(&all, capacity);
     add_hostile(&all, capacity);
     add_large(&all, capacity);
@@ -340,6 +347,7 @@ vectors make_vectors(hs_limits capacity, const hs_model_config *config, uint32_t
     add_aimed(&all, capacity);
     add_trace(&all, "torus-around-the-eye", capacity);
     add_trace(&all, "capacity-stop", (hs_limits){300, 239});
+    add_random(&all, capacity, &chance, random);
     engines e = {0};
     hs_error err = {0};
     for (uint32_t i = 0; i < all.count; i++)
