@@ -145,7 +145,8 @@ static void fixed_point_is_the_nearest_to_every_float(void **unused) {
         }
     }
     uint64_t state = 1;
-    for (uint32_t i = 0; i < cases(1000000); i++) {
+    const uint32_t rounds = cases(1000000);
+    for (uint32_t i = 0; i < rounds; i++) {
         int exponent = random_exponent(&state);
         check_to_fixed(shim, random_component(&state, exponent), exponent);
     }
@@ -168,7 +169,8 @@ static void floats_are_the_nearest_to_every_fixed_point_number(void **unused) {
                 check_to_float(shim, (1 << bit) + beside, exponent);
     }
     uint64_t state = 2;
-    for (uint32_t i = 0; i < cases(1000000); i++) {
+    const uint32_t rounds = cases(1000000);
+    for (uint32_t i = 0; i < rounds; i++) {
         int exponent = random_exponent(&state);
         int32_t q = random_fixed(&state, exponent);
         check_to_float(shim, q, exponent);
@@ -183,7 +185,8 @@ static void conversion_there_and_back_is_exact(void **unused) {
     fp_shim *shim = fp_new();
     uint64_t state = 3;
     uint32_t floats = 0, fixed = 0;
-    for (uint32_t i = 0; i < cases(300000); i++) {
+    const uint32_t rounds = cases(300000);
+    for (uint32_t i = 0; i < rounds; i++) {
         int exponent = random_exponent(&state);
         uint32_t c = random_component(&state, exponent);
         int32_t q = fp_to_fixed(shim, c, exponent);

@@ -317,7 +317,8 @@ static void every_determinant_has_its_sign_however_close_to_zero(void **state) {
     stream = random_state(9);
     geometry_rtl *rtl = geometry_rtl_new(7);
     uint32_t known[3] = {0};
-    for (uint32_t i = 0; i < cases(100000); i++) {
+    const uint32_t rounds = cases(100000);
+    for (uint32_t i = 0; i < rounds; i++) {
         const corners c = random_corners(&stream, i % CORNER_KINDS);
         int32_t p[3][4] = {{0}};
         for (int k = 0; k < 12; k++)
@@ -396,7 +397,8 @@ static void every_edge_that_is_used_has_its_say_and_no_other(void **state) {
     stream = random_state(8);
     geometry_rtl *rtl = geometry_rtl_new(6);
     uint32_t seen[2] = {0};
-    for (uint32_t i = 0; i < cases(100000); i++) {
+    const uint32_t rounds = cases(100000);
+    for (uint32_t i = 0; i < rounds; i++) {
         const geometry_settings s = random_settings(true);
         int32_t v[4][4], w[4][4];
         bool expected = true;

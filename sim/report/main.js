@@ -41,7 +41,7 @@ const stacked = { stacked: true };
 // --- What ran, and whether it holds ---------------------------------------------------------------
 
 const viewRows = figures.viewRows(run);
-const total = (key) => viewRows.reduce((all, row) => all + (row[key] ?? 0), 0);
+const total = (key, rows = viewRows) => rows.reduce((all, row) => all + (row[key] ?? 0), 0);
 
 function head() {
   const cycles = total('cycles'), bound = viewRows.reduce((all, row) => all + (row.cycles === null ? 0 : row.bound ?? 0), 0);
@@ -289,7 +289,7 @@ function pathSection() {
       },
     }),
   });
-  const moved = rows.reduce((all, row) => all + (row.vertices_moved ?? 0), 0), compared = rows.reduce((all, row) => all + (row.vertices_compared ?? 0), 0);
+  const moved = total('vertices_moved', rows), compared = total('vertices_compared', rows);
   return section('path', 'Camera path',
     h('p', { class: moved ? 'warning' : 'soft' }, `Of ${number(compared)} vertices that two frames have at one level, ${moved ? number(moved) : 'none'} moved.`),
     h('div', { class: 'plots' }, faces.element),
