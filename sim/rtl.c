@@ -93,7 +93,10 @@ bool rtl_read_counters(hs_rtl *rtl, rtl_counters *counters, hs_error *err) {
         for (uint32_t c = 0; c < RTL_COUNTERS; c++)
             if (!rtl_read_register(rtl, rtl_counter_address(s, c), &counters->stage[s][c], err))
                 return false;
-    return rtl_read_register(rtl, HS_REG_CONFLICTS, &counters->conflicts, err);
+    return rtl_read_register(rtl, HS_REG_CONFLICTS, &counters->conflicts, err) &&
+           rtl_read_register(rtl, HS_REG_VIEWS, &counters->views, err) &&
+           rtl_read_register(rtl, HS_REG_STATUS, &counters->status, err) &&
+           rtl_read_register(rtl, HS_REG_POSITION, &counters->position, err);
 }
 
 static bool write_limits(hs_rtl *rtl, hs_error *err) {

@@ -29,8 +29,8 @@ bool hs_rtl_limit(hs_rtl *rtl, hs_limits limits, hs_error *err);
 bool hs_rtl_trace(hs_rtl *rtl, const char *path, uint64_t first, uint64_t last, hs_error *err);
 
 /* Streams one packet in, and everything up to TLAST out. False (HS_EXIT_INTERNAL) if the pipeline
- * breaks a handshake rule, a counter's sum is not the cycles, or it does not answer within a bound
- * derived from the packet. */
+ * breaks a handshake rule, a counter's sum is not the cycles, its registers tell of another fate of
+ * the view than its trailer, or it does not answer within a bound derived from the packet. */
 bool hs_rtl_run(hs_rtl *rtl, const hs_packet *in, hs_stalls stalls, hs_packet *out,
                 hs_cycle_report *report, hs_error *err);
 

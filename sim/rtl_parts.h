@@ -37,10 +37,11 @@ static inline void rtl_access_write(rtl_access *access, uint32_t address, uint32
     access->data = value;
 }
 
-/* The counters of all stages, read while no stage works. */
+/* The counters, and the fate of the last view, read while no stage works. */
 typedef struct rtl_counters {
     uint64_t when; /* cycle to which they refer */
-    uint32_t cycles, conflicts;
+    uint32_t cycles, conflicts, views;
+    uint32_t status, position; /* of the view that ended last */
     uint32_t stage[HS_STAGES][RTL_COUNTERS];
 } rtl_counters;
 

@@ -139,6 +139,21 @@ static bool account(const hs_rtl *rtl, const hs_packet *in, const hs_packet *out
     return true;
 }
 
+/* The registers tell of the view what its trailer tells. */
+static bool told(const hs_rtl *rtl, const hs_packet *in, const hs_packet *out,
+                 const rtl_counters *after, hs_error *err) {
+    const uint32_t *trailer = out->words >= 8 ? &out->word[out->words - 8] : NULL;
+    if (after->views - rtl->before.views != 1)
+        return hs_fail(err, HS_EXIT_INTERNAL, "view %u: the RTL counts %u views instead of 1",
+                       in->view, after->views - rtl->before.views);
+    if (trailer && (after->status != (trailer[0] & 0xff) || after->position != trailer[1]))
+        return hs_fail(err, HS_EXIT_INTERNAL,
+                       "view %u: the RTL's registers tell of status %u at word 0x%x, its trailer "
+                       "of status %u at word 0x%x",
+                       in->view, after->status, after->position, trailer[0] & 0xff, trailer[1]);
+    return true;
+}
+
 bool hs_rtl_run(hs_rtl *rtl, const hs_packet *in, hs_stalls stalls, hs_packet *out,
                 hs_cycle_report *report, hs_error *err) {
     memset(report, 0, sizeof *report);
@@ -155,7 +170,8 @@ bool hs_rtl_run(hs_rtl *rtl, const hs_packet *in, hs_stalls stalls, hs_packet *o
     if (!streamed || !rtl_rest(rtl, in, err) || !rtl_read_counters(rtl, &after, err)) return false;
     if (rtl->pins.m_axis.valid) /* late, when it was at rest already */
         return rtl_break_of_rule(rtl, in, "a beat behind the packet's last one", err);
-    if (!account(rtl, in, out, &after, report, err)) return false;
+    if (!account(rtl, in, out, &after, report, err) || !told(rtl, in, out, &after, err))
+        return false;
     rtl->before = after;
     rtl_end(rtl);
     return true;

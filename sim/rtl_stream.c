@@ -88,8 +88,12 @@ bool hs_rtl_stream(hs_rtl *rtl, const hs_packet *in, uint32_t count, hs_stalls s
         hs_rtl_top_probe(rtl->top, NULL, NULL);
     }
     free(ended);
+    const uint32_t before = rtl->before.views;
     if (!good || (count && !rtl_rest(rtl, in, err)) || !rtl_read_counters(rtl, &rtl->before, err))
         return false;
+    if (rtl->before.views - before != count)
+        return hs_fail(err, HS_EXIT_INTERNAL, "the RTL counts %u views instead of %u",
+                       rtl->before.views - before, count);
     rtl_end(rtl);
     return true;
 }

@@ -88,6 +88,9 @@ static const struct {
     {FAULT_ACTIVITY, "stage split was busy"},
     {FAULT_ACTIVE_OUTSIDE, "stage emit was busy"},
     {FAULT_ITEM_LOST, "stage select took"},
+    {FAULT_STATUS, "registers tell of status"},
+    {FAULT_POSITION, "registers tell of status"},
+    {FAULT_VIEWS, "counts 0 views instead of 1"},
 };
 enum { RUN_FAULTS = sizeof run_faults / sizeof *run_faults };
 

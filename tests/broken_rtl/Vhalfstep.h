@@ -55,6 +55,7 @@ class Vhalfstep {
     uint8_t clock_ = 0;
     uint32_t cycles_ = 0, sampled_ = 0, taken_ = 0, given_ = 0;
     uint32_t outside_ = 0, sampled_outside_ = 0;
+    uint32_t views_ = 0, status_ = 0, position_ = 0;
 
     bool is(fault f) const {
         return planted_fault == f;
@@ -106,6 +107,7 @@ class Vhalfstep {
             const bool done = last();
             sent_++;
             if (done) {
+                tell();
                 beats_.clear();
                 whole_ = false;
                 late_ = is(FAULT_BEAT_BEHIND) || is(FAULT_LATE_BEAT);
@@ -125,11 +127,24 @@ class Vhalfstep {
         bus();
     }
 
+    /* The view's fate, as the last two records of what was sent, its trailer and its end, have it.
+     */
+    void tell() {
+        std::vector<uint32_t> sent;
+        for (const beat &b : beats_)
+            for (uint32_t w = 0; w < 16; w++)
+                if (b.keep >> 4 * w & 1) sent.push_back(b.data[w]);
+        views_ += !is(FAULT_VIEWS);
+        status_ = sent.size() < 8 ? 0 : sent[sent.size() - 8] & 0xff;
+        position_ = sent.size() < 8 ? 0 : sent[sent.size() - 7];
+    }
+
     void reset() {
         beats_.clear();
         whole_ = waited_ = false;
         late_ = 0;
         cycles_ = sampled_ = taken_ = given_ = outside_ = sampled_outside_ = 0;
+        views_ = status_ = position_ = 0;
         s_axil_rvalid = s_axil_bvalid = 0;
     }
 
@@ -158,6 +173,12 @@ class Vhalfstep {
             return 64;
         case HS_REG_BUSY:
             return whole_ || is(FAULT_STAYS_BUSY);
+        case HS_REG_VIEWS:
+            return views_;
+        case HS_REG_STATUS:
+            return status_ + is(FAULT_STATUS);
+        case HS_REG_POSITION:
+            return position_ + is(FAULT_POSITION);
         case HS_REG_CYCLES:
             sampled_outside_ = outside_;
             return sampled_ = cycles_ - (is(FAULT_CYCLES) && taken_ > 0);

@@ -30,6 +30,9 @@ enum fault {
     FAULT_ACTIVITY,       /* a cycle of split was neither busy nor idle */
     FAULT_ACTIVE_OUTSIDE, /* emit counts as busy where there is no view, and much */
     FAULT_ITEM_LOST,      /* select takes an item and gives none */
+    FAULT_STATUS,         /* the registers tell of another status than the trailer */
+    FAULT_POSITION,       /* of another word */
+    FAULT_VIEWS,          /* the count of the views stands still */
     FAULT_WORD,           /* a bit of a word is wrong: for the comparison to find */
     FAULTS
 };
