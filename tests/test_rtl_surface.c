@@ -2,7 +2,8 @@
  *
  * The whole RTL against golden, output word for output word, where surfaces end, crease and stop:
  * boundary modes, sharp edges and vertices, limit positions, least edges, in pairs and all
- * together. HS_CASES=10 makes the random parts ten times as long.
+ * together; and a reset in the midst of all that. HS_CASES=10 makes the random parts ten times as
+ * long.
  */
 #include "rtl_samples.h"
 
@@ -112,12 +113,47 @@ static void half_quads_count_whole_against_the_capacity(void **state) {
     hs_mesh_free(&mesh);
 }
 
+/* A view is cut off by a reset, early or late; the view behind knows nothing of it. */
+static void a_reset_in_the_midst_leaves_nothing_behind(void **state) {
+    bench *b = *state;
+    static const char *const name[] = {"cube", "grid", "mixed", "icosahedron"};
+    uint64_t random = 23;
+    hs_packet cut = {0};
+    for (uint32_t i = 0; i < cases(48); i++) {
+        hs_mesh mesh;
+        hs_view view[VIEWS];
+        hs_error err = {0};
+        char what[100];
+        uint32_t tags = i + 1;
+        make_shape(&mesh, name[i % 4], 0, 1);
+        if (i % 3 == 2) tag_at_random(&mesh, &tags, 3, 8);
+        make_views(&mesh, view);
+        const float *matrix = view[random_below(&random, VIEWS)].matrix;
+        const hs_settings settings = any_settings(&random);
+        const hs_stalls stalls = {.seed = i, .input = i % 2 ? 30 : 0, .output = i % 5 ? 0 : 60};
+        assert_same_view(b, i, &mesh, matrix, &settings, stalls, "before a reset");
+        assert_true(hs_packet_encode(&cut, i + 1, &mesh, matrix, &settings, &err));
+        const uint64_t at = 1 + random_below(&random, (uint32_t)b->rtl_report.cycles - 1);
+        snprintf(what, sizeof what, "%s, behind a reset in cycle %llu of %llu", name[i % 4],
+                 (unsigned long long)at, (unsigned long long)b->rtl_report.cycles);
+        hs_rtl_cycle_limit(b->rtl, at);
+        assert_false(hs_rtl_run(b->rtl, &cut, stalls, &b->actual, &b->rtl_report, &err));
+        hs_rtl_cycle_limit(b->rtl, UINT64_MAX);
+        assert_non_null(strstr(err.text, "does not come to an end"));
+        assert_same_view(b, i + 2, &mesh, matrix, &settings, no_stalls, what);
+        hs_mesh_free(&mesh);
+    }
+    hs_packet_free(&cut);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(every_pair_of_settings_is_goldens_word_for_word,
                                         set_up_bench, tear_down_bench),
         cmocka_unit_test_setup_teardown(random_creases_and_settings_are_goldens_word_for_word,
                                         set_up_bench, tear_down_bench),
+        cmocka_unit_test_setup_teardown(a_reset_in_the_midst_leaves_nothing_behind, set_up_bench,
+                                        tear_down_bench),
         cmocka_unit_test_setup_teardown(half_quads_count_whole_against_the_capacity, set_up_bench,
                                         tear_down_bench),
     };
