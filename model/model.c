@@ -196,10 +196,9 @@ bool hs_model_config_good(const hs_model_config *c, hs_error *err) {
 
 hs_model *hs_model_new(hs_limits limits, hs_model_config config, hs_error *err) {
     if (!hs_model_config_good(&config, err)) return NULL;
+    /* No transaction tells how many quads the memories hold. */
     while (config.capacity.vertices < limits.vertices && config.capacity.vertices < MOST_CAPACITY)
         config.capacity.vertices *= 2;
-    while (config.capacity.quads < limits.quads && config.capacity.quads < MOST_CAPACITY)
-        config.capacity.quads *= 2;
     hs_model *m = calloc(1, sizeof *m);
     if (m) m->golden = hs_golden_new(limits);
     if (!m || !m->golden) {

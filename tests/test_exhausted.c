@@ -175,7 +175,15 @@ static void packets_say_so(void **state) {
         hs_packet_free(&packet);
     }
     assert_true(n > 1);
-    failed = true;
+    const uint32_t record[4] = {0};
+    hs_packet empty = {0};
+    err.code = HS_EXIT_OK;
+    start_failing(1, false);
+    const bool appended = hs_packet_append(&empty, record, 1, &err);
+    failed = stop_failing();
+    assert_true(failed && !appended);
+    assert_int_equal(err.code, HS_EXIT_INTERNAL);
+    assert_null(empty.word);
     for (n = 0; failed; n++) {
         hs_output output;
         err.code = HS_EXIT_OK;
