@@ -142,6 +142,66 @@ static void add_zeros(vectors *all, hs_limits limits) {
     }
 }
 
+/* Nothing but subnormal numbers, the largest of which has its leading one in each place in turn. */
+static void add_subnormals(vectors *all, hs_limits limits) {
+    for (int place = 0; place < 23; place++) {
+        hs_mesh mesh;
+        char text[80];
+        const hs_settings s = uniform(1);
+        make_shape(&mesh, "tetrahedron", 0, 0);
+        for (uint32_t k = 0; k < 4 * mesh.vertices; k++)
+            mesh.position[k] = ldexpf(k == 5       ? 1.25f
+                                      : k % 4 == 3 ? 1
+                                                   : 0.9f * mesh.position[k] / 2,
+                                      place - 149);
+        snprintf(text, sizeof text, "subnormal numbers up to 2^%d", place - 149);
+        add_view(all, text, limits, &mesh, identity, &s, no_stalls);
+        hs_mesh_free(&mesh);
+    }
+}
+
+/* --- Limits: quads that just fit, or just do not
+ * ------------------------------------------------------------------------
+ */
+static void add_narrow(vectors *all, hs_limits limits) {
+    static const char *const shape[] = {"cube", "icosahedron", "grid"};
+    for (uint32_t i = 0; i < 36; i++) {
+        hs_mesh mesh;
+        hs_view view[VIEWS];
+        char text[80];
+        make_shape(&mesh, shape[i % 3], i % 3 == 2 ? 4 : 0, i);
+        make_views(&mesh, view);
+        const hs_settings s = i % 4 == 3 ? uniform(4) : adaptive(3, 5, i % 2);
+        const uint32_t quads = mesh.halfedges + i / 3 * 29;
+        snprintf(text, sizeof text, "%s in %u quads", shape[i % 3], quads);
+        add_view(all, text, (hs_limits){limits.vertices, quads}, &mesh, view[i % 8].matrix, &s,
+                 no_stalls);
+        hs_mesh_free(&mesh);
+    }
+}
+
+/* --- Sharpness: all there are, some levels deep
+ * -------------------------------------------------------------------------
+ */
+static void add_sharp(vectors *all, hs_limits limits) {
+    static const char *const shape[] = {"cube", "tetrahedron", "grid"};
+    uint32_t tags = 5;
+    for (uint32_t i = 0; i < 24; i++) {
+        hs_mesh mesh;
+        hs_view view[VIEWS];
+        char text[80];
+        make_shape(&mesh, shape[i % 3], i % 3 == 2 ? 2 : 0, i);
+        make_views(&mesh, view);
+        tag_at_random(&mesh, &tags, 1, 1 + i % 4);
+        hs_settings s = i % 2 ? uniform((uint8_t)(3 + i % 3)) : adaptive(4, 5, true);
+        s.boundary = modes[i / 3 % 3];
+        s.limit = i % 7 == 3;
+        snprintf(text, sizeof text, "sharp edges %u", i);
+        add_view(all, text, limits, &mesh, view[i % 8].matrix, &s, no_stalls);
+        hs_mesh_free(&mesh);
+    }
+}
+
 /* --- Short edges
  * ----------------------------------------------------------------------------------
  */
@@ -332,6 +392,9 @@ void add_aimed(vectors *all, hs_limits limits) {
     add_errors(all, limits);
     add_crossed(all, limits);
     add_zeros(all, limits);
+    add_subnormals(all, limits);
+    add_narrow(all, limits);
+    add_sharp(all, limits);
     add_points(all, limits);
     add_thresholds(all, limits);
     add_mixed(all, limits);

@@ -305,18 +305,20 @@ static void add_places(vectors *all, hs_limits limits) {
 }
 
 /* A triangle two of whose sides are one edge, which is sharp for ever: one quad in each of many
- * generations. */
-static void add_glued(vectors *all, hs_limits limits) {
+ * generations, to a forced depth; or, if that is 0, ever more of them, as its boundary is refined
+ * too. */
+static void add_glued(vectors *all, hs_limits limits, uint32_t forced) {
     hs_mesh mesh;
     hs_packet base = {0};
     hs_error err;
     make_shape(&mesh, "tetrahedron", 0, 0);
-    hs_settings s = uniform(32);
-    s.boundary = HS_BOUNDARY_SMOOTH;
+    hs_settings s = forced ? adaptive(0, HS_MAX_DEPTH, false) : uniform(32);
+    s.boundary = forced ? HS_BOUNDARY_KEPT : HS_BOUNDARY_SMOOTH;
+    const uint32_t sides = 3 | forced << 8;
     const uint32_t corner[16] = {
-        0,           2,         3,           HS_SHARP_INFINITE, /* 0 to 1 */
-        1,           HS_BORDER, 3 | 1 << 16, 0,                 /* 1 to 1 */
-        1,           0,         3 | 2 << 16, HS_SHARP_INFINITE, /* 1 to 0 */
+        0,           2,         sides,           HS_SHARP_INFINITE, /* 0 to 1 */
+        1,           HS_BORDER, sides | 1 << 16, 0,                 /* 1 to 1 */
+        1,           0,         sides | 2 << 16, HS_SHARP_INFINITE, /* 1 to 0 */
         HS_MAGIC_END};
     if (!hs_packet_encode(&base, 9, &mesh, identity, &s, &err)) give_up("glued", &err);
     base.word[4] = 1;
@@ -343,7 +345,9 @@ vectors make_vectors(hs_limits capacity, const hs_model_config *config, uint32_t
     add_hostile(&all, capacity);
     add_large(&all, capacity);
     add_places(&all, capacity);
-    add_glued(&all, capacity);
+    add_glued(&all, capacity, 0);
+    add_glued(&all, capacity, 34);
+    add_glued(&all, capacity, 85);
     add_aimed(&all, capacity);
     add_trace(&all, "torus-around-the-eye", capacity);
     add_trace(&all, "capacity-stop", (hs_limits){300, 239});
