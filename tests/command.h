@@ -7,6 +7,7 @@
 
 #include "place.h"
 
+#include <fcntl.h>
 #include <limits.h>
 #include <signal.h>
 #include <sys/resource.h>
@@ -24,21 +25,27 @@ typedef struct outcome {
 static inline pid_t start_line(const char *line, const char *said) {
     static char root[PATH_MAX];
     if (!root[0]) assert_non_null(getcwd(root, sizeof root));
-    char text[8000];
-    size_t at = (size_t)snprintf(text, sizeof text, "exec >%s 2>&1; ", said);
+    char text[8000] = "";
+    size_t at = 0;
     for (const char *c = line; *c && at < sizeof text - PATH_MAX; c++)
         at += (size_t)snprintf(text + at, sizeof text - at, *c == '@' || *c == '~' ? "%s" : "%.1s",
                                *c == '@'   ? place.path
                                : *c == '~' ? root
                                            : c);
+    /* Here, since the child may be killed before it does anything. */
+    const int output = open(said, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    assert_true(output >= 0);
     fflush(NULL);
     const pid_t child = fork();
     assert_true(child >= 0);
     if (child == 0) {
         setpgid(0, 0);
+        dup2(output, STDOUT_FILENO);
+        dup2(output, STDERR_FILENO);
         execl("/bin/sh", "sh", "-c", text, (char *)NULL);
         _exit(126);
     }
+    close(output);
     setpgid(child, child);
     return child;
 }
