@@ -62,7 +62,7 @@ $(BUILD)/mutation/vectors: $(BUILD)/mutation/record_vectors
 	$< $(@D)
 	@touch $@
 
-MUTATION_TESTS := exhausted golden golden_hostile golden_rules stream frame flight log memory
+MUTATION_TESTS := exhausted golden golden_hostile golden_rules stream stream_decode frame flight log memory
 
 .PHONY: mutation
 mutation: $(MUTATION)/kill_rtl $(BUILD)/mutation/mutate $(BUILD)/mutation/vectors $(BUILD)/tests/mutation/kill_c.o \

@@ -87,6 +87,12 @@ static bool limit_holds(registers_rtl *rtl, uint32_t address, uint32_t most, cha
             !reads(rtl, address, OKAY, held, finding))
             return false;
     }
+    for (uint32_t bit = 0; bit < 32; bit++) {
+        held = 1u << bit > most ? most : 1u << bit;
+        if (!writes(rtl, address, OKAY, 1u << bit, 15, finding) ||
+            !reads(rtl, address, OKAY, held, finding))
+            return false;
+    }
     return writes(rtl, address, OKAY, most, 15, finding) &&
            reads(rtl, address, OKAY, most, finding);
 }
@@ -187,6 +193,26 @@ static bool is_cut(hs_rtl *rtl, const vector *v, char *finding) {
     return true;
 }
 
+/* The first vectors again, one packet right behind the other. */
+static bool stream_is_right(const vectors *all, char *finding) {
+    enum { PACKETS = 4 };
+    static hs_packet in[PACKETS], out[PACKETS];
+    hs_flight_view view[PACKETS];
+    hs_error err = {0};
+    uint64_t cycles;
+    hs_rtl *rtl = hs_rtl_new(capacity, 1, &err);
+    for (uint32_t i = 0; i < PACKETS; i++)
+        in[i] = all->item[i].in;
+    bool good = rtl && hs_rtl_stream(rtl, in, PACKETS, no_stalls, out, view, &cycles, &err);
+    if (!good) snprintf(finding, FINDING, "packets in a row: %.300s", err.text);
+    for (uint32_t i = 0; good && i < PACKETS; i++) {
+        good = !hs_compare_words(&all->item[i].out, &out[i]).different;
+        if (!good) snprintf(finding, FINDING, "packets in a row: words of the one numbered %u", i);
+    }
+    hs_rtl_free(rtl);
+    return good;
+}
+
 /* One simulation as long as the limits stay the same. Before some vectors it is reset while it
  * works on them. */
 static bool survives(const vectors *all, char *finding) {
@@ -203,7 +229,7 @@ static bool survives(const vectors *all, char *finding) {
         good = rtl && (i % 16 || is_cut(rtl, v, finding)) && answers(rtl, v, &all->config, finding);
     }
     hs_rtl_free(rtl);
-    return good && registers_are_right(finding);
+    return good && stream_is_right(all, finding) && registers_are_right(finding);
 }
 
 /* --- Mutants ------------------------------------------------------------------------------------

@@ -78,10 +78,39 @@ static void add_errors(vectors *all, hs_limits limits) {
     enum { FAN = HS_MAX_VALENCE + 3, WRONG = 3 * HS_MAX_VALENCE };
     for (uint32_t i = 0; i < 12; i++) {
         const uint32_t h = i < 10 ? WRONG - (1u << i) : WRONG + i - 10;
-        hs_packet *packet = &add_fan(all, limits, FAN)->in;
+        hs_packet *packet = &add_fan(all, limits, FAN, 0)->in;
         packet->word[corner_at(FAN_VERTICES, h) + 1] = h < 300 ? h + 300 : h - 300;
         mend_crc(packet);
     }
+}
+
+/* As many vertices as there is room for, and a corner at the first number behind them, or at one a
+ * bit of which is set besides. */
+static void add_strangers(vectors *all, hs_limits limits) {
+    hs_mesh mesh;
+    hs_packet base = {0};
+    hs_error err;
+    const hs_settings s = uniform(1);
+    make_shape(&mesh, "tetrahedron", 0, 0);
+    if (!hs_packet_encode(&base, 9, &mesh, identity, &s, &err)) give_up("strangers", &err);
+    const uint32_t vertices = mesh.vertices, halfedges = mesh.halfedges;
+    hs_mesh_free(&mesh);
+    for (uint32_t more = 0; more < limits.vertices; more = more ? 2 * more : 1) {
+        char text[80];
+        snprintf(text, sizeof text, "a corner at vertex %u of %u", limits.vertices + more,
+                 limits.vertices);
+        hs_packet *packet = &add_vector(all, text, limits, no_stalls)->in;
+        bool good = hs_packet_append(packet, base.word, VERTICES_AT / 4 + vertices, &err);
+        for (uint32_t v = vertices; good && v < limits.vertices; v++)
+            good = hs_packet_append(packet, base.word + VERTICES_AT, 1, &err);
+        if (!good ||
+            !hs_packet_append(packet, base.word + corner_at(vertices, 0), halfedges + 1, &err))
+            give_up(text, &err);
+        packet->word[3] = limits.vertices;
+        packet->word[corner_at(limits.vertices, 5)] = limits.vertices + more;
+        mend_crc(packet);
+    }
+    hs_packet_free(&base);
 }
 
 /* Twins of four half-edges dealt anew: they point the wrong way. Some have another sharpness than
@@ -176,6 +205,42 @@ static void add_narrow(vectors *all, hs_limits limits) {
         snprintf(text, sizeof text, "%s in %u quads", shape[i % 3], quads);
         add_view(all, text, (hs_limits){limits.vertices, quads}, &mesh, view[i % 8].matrix, &s,
                  no_stalls);
+        hs_mesh_free(&mesh);
+    }
+}
+
+/* Surfaces with a boundary, refined as a whole: vertices and faces of all counts, odd ones too. */
+static void add_strips(vectors *all, hs_limits limits) {
+    for (uint32_t i = 0; i < 24; i++) {
+        hs_mesh mesh;
+        hs_view view[VIEWS];
+        char text[80];
+        make_shape(&mesh, "grid", 1 + i % 4, i);
+        make_views(&mesh, view);
+        hs_settings s = uniform((uint8_t)(4 + i / 4 % 3));
+        s.boundary = modes[1 + i / 12];
+        snprintf(text, sizeof text, "a whole grid %u", i);
+        add_view(all, text, limits, &mesh, view[i % 8].matrix, &s, no_stalls);
+        hs_mesh_free(&mesh);
+    }
+}
+
+/* In generation 0 faces of many sides keep edges, behind corners that lose theirs, while emit
+ * waits. */
+static void add_kept(vectors *all, hs_limits limits) {
+    for (uint32_t i = 0; i < 24; i++) {
+        hs_mesh mesh;
+        hs_view view[VIEWS];
+        char text[80];
+        const hs_stalls stalls = {.seed = i, .output = 95};
+        if (i % 2)
+            make_shape(&mesh, "random", 40 + 4 * i, i);
+        else
+            make_bicone(&mesh, 24 + 3 * i);
+        make_views(&mesh, view);
+        const hs_settings s = adaptive(1, (uint8_t)(1 + i % 3), i % 3 == 0);
+        snprintf(text, sizeof text, "kept edges %u", i);
+        add_view(all, text, limits, &mesh, view[i % 16].matrix, &s, stalls);
         hs_mesh_free(&mesh);
     }
 }
@@ -390,10 +455,13 @@ void add_aimed(vectors *all, hs_limits limits) {
     add_bits(all, limits);
     add_overflows(all, limits);
     add_errors(all, limits);
+    add_strangers(all, limits);
     add_crossed(all, limits);
     add_zeros(all, limits);
     add_subnormals(all, limits);
     add_narrow(all, limits);
+    add_strips(all, limits);
+    add_kept(all, limits);
     add_sharp(all, limits);
     add_points(all, limits);
     add_thresholds(all, limits);

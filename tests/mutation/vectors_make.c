@@ -215,7 +215,7 @@ static void add_wide(vectors *all, hs_limits limits) {
     }
 }
 
-vector *add_fan(vectors *all, hs_limits limits, uint32_t n) {
+vector *add_fan(vectors *all, hs_limits limits, uint32_t n, uint32_t first) {
     hs_mesh mesh;
     hs_packet base = {0};
     hs_error err;
@@ -231,7 +231,7 @@ vector *add_fan(vectors *all, hs_limits limits, uint32_t n) {
     hs_packet *packet = &v->in;
     bool good = hs_packet_append(packet, base.word, VERTICES_AT / 4 + 4, &err);
     for (uint32_t h = 0; good && h < 3 * n; h++) {
-        const uint32_t record[4] = {h % 3, HS_BORDER, 3 | h % 3 << 16, 0};
+        const uint32_t record[4] = {(first + h) % 3, HS_BORDER, 3 | h % 3 << 16, 0};
         good = hs_packet_append(packet, record, 1, &err);
     }
     if (!good || !hs_packet_append(packet, base.word + base.words - 4, 1, &err))
@@ -280,8 +280,9 @@ static void add_large(vectors *all, hs_limits limits) {
         hs_mesh_free(&mesh);
     }
     add_wide(all, limits);
-    add_fan(all, limits, 255);
-    add_fan(all, limits, 258);
+    add_fan(all, limits, 255, 0);
+    add_fan(all, limits, 258, 0);
+    add_fan(all, limits, 258, 1);
 }
 
 /* Numbers of all sizes in matrix and vertices: sums of terms that lie any number of places apart.
@@ -304,28 +305,34 @@ static void add_places(vectors *all, hs_limits limits) {
     }
 }
 
-/* A triangle two of whose sides are one edge, which is sharp for ever: one quad in each of many
- * generations, to a forced depth; or, if that is 0, ever more of them, as its boundary is refined
+/* Triangles two of whose sides are one edge, around vertex 0. To a forced depth: of each, one quad
+ * in each of many generations; or, if that is 0, ever more of them, as their boundary is refined
  * too. */
-static void add_glued(vectors *all, hs_limits limits, uint32_t forced) {
+static void add_glued(vectors *all, hs_limits limits, uint32_t triangles, uint32_t forced,
+                      uint32_t sharpness) {
     hs_mesh mesh;
     hs_packet base = {0};
     hs_error err;
     make_shape(&mesh, "tetrahedron", 0, 0);
     hs_settings s = forced ? adaptive(0, HS_MAX_DEPTH, false) : uniform(32);
     s.boundary = forced ? HS_BOUNDARY_KEPT : HS_BOUNDARY_SMOOTH;
+    char text[80];
     const uint32_t sides = 3 | forced << 8;
-    const uint32_t corner[16] = {
-        0,           2,         sides,           HS_SHARP_INFINITE, /* 0 to 1 */
-        1,           HS_BORDER, sides | 1 << 16, 0,                 /* 1 to 1 */
-        1,           0,         sides | 2 << 16, HS_SHARP_INFINITE, /* 1 to 0 */
-        HS_MAGIC_END};
     if (!hs_packet_encode(&base, 9, &mesh, identity, &s, &err)) give_up("glued", &err);
-    base.word[4] = 1;
-    base.word[5] = 3;
-    hs_packet *packet = &add_vector(all, "a triangle glued to itself", limits, no_stalls)->in;
-    if (!hs_packet_append(packet, base.word, VERTICES_AT / 4 + 4, &err) ||
-        !hs_packet_append(packet, corner, 4, &err))
+    base.word[4] = triangles;
+    base.word[5] = 3 * triangles;
+    snprintf(text, sizeof text, "%u triangles glued to themselves, %u deep, sharpness %u",
+             triangles, forced, sharpness);
+    hs_packet *packet = &add_vector(all, text, limits, no_stalls)->in;
+    bool good = hs_packet_append(packet, base.word, VERTICES_AT / 4 + 4, &err);
+    for (uint32_t t = 0; good && t < triangles; t++) {
+        const uint32_t v = 1 + t, h = 3 * t;
+        const uint32_t corner[12] = {0, h + 2,     sides,           sharpness, /* 0 to v */
+                                     v, HS_BORDER, sides | 1 << 16, 0,         /* v to v */
+                                     v, h,         sides | 2 << 16, sharpness /* v to 0 */};
+        good = hs_packet_append(packet, corner, 3, &err);
+    }
+    if (!good || !hs_packet_append(packet, base.word + base.words - 4, 1, &err))
         give_up("glued", &err);
     mend_crc(packet);
     hs_packet_free(&base);
@@ -345,9 +352,12 @@ vectors make_vectors(hs_limits capacity, const hs_model_config *config, uint32_t
     add_hostile(&all, capacity);
     add_large(&all, capacity);
     add_places(&all, capacity);
-    add_glued(&all, capacity, 0);
-    add_glued(&all, capacity, 34);
-    add_glued(&all, capacity, 85);
+    add_glued(&all, capacity, 1, 0, HS_SHARP_INFINITE);
+    add_glued(&all, capacity, 1, 34, HS_SHARP_INFINITE);
+    add_glued(&all, capacity, 1, 85, HS_MAX_SHARPNESS);
+    add_glued(&all, capacity, 2, 0, HS_MAX_SHARPNESS);
+    add_glued(&all, capacity, 2, 85, HS_SHARP_INFINITE);
+    add_glued(&all, capacity, 3, 42, HS_MAX_SHARPNESS);
     add_aimed(&all, capacity);
     add_trace(&all, "torus-around-the-eye", capacity);
     add_trace(&all, "capacity-stop", (hs_limits){300, 239});

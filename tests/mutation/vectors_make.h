@@ -17,9 +17,10 @@ vector *add_vector(vectors *all, const char *name, hs_limits limits, hs_stalls s
 vector *add_view(vectors *all, const char *name, hs_limits limits, const hs_mesh *mesh,
                  const float matrix[16], const hs_settings *settings, hs_stalls stalls);
 
-/* n triangles around vertex 0, each alone: above 255, those behind are one corner too many each. */
+/* n triangles of the same three vertices, each alone: above 255, those behind are one corner too
+ * many each, first at vertex `first`. */
 enum { FAN_VERTICES = 4 };
-vector *add_fan(vectors *all, hs_limits limits, uint32_t n);
+vector *add_fan(vectors *all, hs_limits limits, uint32_t n, uint32_t first);
 
 /* Words of packets, behind the header and the matrix, and of corner h of one with so many vertices.
  */
