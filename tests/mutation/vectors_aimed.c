@@ -189,23 +189,30 @@ static void add_subnormals(vectors *all, hs_limits limits) {
     }
 }
 
-/* --- Limits: quads that just fit, or just do not
- * ------------------------------------------------------------------------
+/* --- Limits, boundaries, sharpness
+ * ---------------------------------------------------------------
  */
+
+/* One of the sixteen views of a mesh, which is freed. */
+static void add_seen(vectors *all, const char *name, hs_limits limits, hs_mesh *mesh, uint32_t v,
+                     const hs_settings *settings, hs_stalls stalls) {
+    hs_view view[VIEWS];
+    make_views(mesh, view);
+    add_view(all, name, limits, mesh, view[v % VIEWS].matrix, settings, stalls);
+    hs_mesh_free(mesh);
+}
+
+/* Quads that just fit, or just do not. */
 static void add_narrow(vectors *all, hs_limits limits) {
     static const char *const shape[] = {"cube", "icosahedron", "grid"};
     for (uint32_t i = 0; i < 36; i++) {
         hs_mesh mesh;
-        hs_view view[VIEWS];
         char text[80];
         make_shape(&mesh, shape[i % 3], i % 3 == 2 ? 4 : 0, i);
-        make_views(&mesh, view);
         const hs_settings s = i % 4 == 3 ? uniform(4) : adaptive(3, 5, i % 2);
         const uint32_t quads = mesh.halfedges + i / 3 * 29;
         snprintf(text, sizeof text, "%s in %u quads", shape[i % 3], quads);
-        add_view(all, text, (hs_limits){limits.vertices, quads}, &mesh, view[i % 8].matrix, &s,
-                 no_stalls);
-        hs_mesh_free(&mesh);
+        add_seen(all, text, (hs_limits){limits.vertices, quads}, &mesh, i % 8, &s, no_stalls);
     }
 }
 
@@ -213,57 +220,44 @@ static void add_narrow(vectors *all, hs_limits limits) {
 static void add_strips(vectors *all, hs_limits limits) {
     for (uint32_t i = 0; i < 24; i++) {
         hs_mesh mesh;
-        hs_view view[VIEWS];
         char text[80];
         make_shape(&mesh, "grid", 1 + i % 4, i);
-        make_views(&mesh, view);
         hs_settings s = uniform((uint8_t)(4 + i / 4 % 3));
         s.boundary = modes[1 + i / 12];
         snprintf(text, sizeof text, "a whole grid %u", i);
-        add_view(all, text, limits, &mesh, view[i % 8].matrix, &s, no_stalls);
-        hs_mesh_free(&mesh);
+        add_seen(all, text, limits, &mesh, i % 8, &s, no_stalls);
     }
 }
 
-/* In generation 0 faces of many sides keep edges, behind corners that lose theirs, while emit
- * waits. */
+/* In generation 0 faces keep edges, behind corners that lose theirs, while emit waits. */
 static void add_kept(vectors *all, hs_limits limits) {
     for (uint32_t i = 0; i < 24; i++) {
         hs_mesh mesh;
-        hs_view view[VIEWS];
         char text[80];
-        const hs_stalls stalls = {.seed = i, .output = 95};
         if (i % 2)
             make_shape(&mesh, "random", 40 + 4 * i, i);
         else
             make_bicone(&mesh, 24 + 3 * i);
-        make_views(&mesh, view);
         const hs_settings s = adaptive(1, (uint8_t)(1 + i % 3), i % 3 == 0);
         snprintf(text, sizeof text, "kept edges %u", i);
-        add_view(all, text, limits, &mesh, view[i % 16].matrix, &s, stalls);
-        hs_mesh_free(&mesh);
+        add_seen(all, text, limits, &mesh, i, &s, (hs_stalls){.seed = i, .output = 95});
     }
 }
 
-/* --- Sharpness: all there are, some levels deep
- * -------------------------------------------------------------------------
- */
+/* All sharpnesses that there are, some levels deep. */
 static void add_sharp(vectors *all, hs_limits limits) {
     static const char *const shape[] = {"cube", "tetrahedron", "grid"};
     uint32_t tags = 5;
     for (uint32_t i = 0; i < 24; i++) {
         hs_mesh mesh;
-        hs_view view[VIEWS];
         char text[80];
         make_shape(&mesh, shape[i % 3], i % 3 == 2 ? 2 : 0, i);
-        make_views(&mesh, view);
         tag_at_random(&mesh, &tags, 1, 1 + i % 4);
         hs_settings s = i % 2 ? uniform((uint8_t)(3 + i % 3)) : adaptive(4, 5, true);
         s.boundary = modes[i / 3 % 3];
         s.limit = i % 7 == 3;
         snprintf(text, sizeof text, "sharp edges %u", i);
-        add_view(all, text, limits, &mesh, view[i % 8].matrix, &s, no_stalls);
-        hs_mesh_free(&mesh);
+        add_seen(all, text, limits, &mesh, i % 8, &s, no_stalls);
     }
 }
 
