@@ -26,8 +26,8 @@ typedef struct hs_model_config {
     uint32_t ops;     /* that wait for emit: a power of two, 16 to 256 */
     uint32_t views;   /* in flight, each in a pipeline of its own: 1 to 8 (hs_flight) */
     uint32_t parity;  /* 1: memories and FIFOs have a bit more a word; costs no cycle */
-    /* Vertices and active quads that the memories hold: powers of two, 8 to 2^24. A view's
-     * limits above them enlarge them. */
+    /* Vertices and active quads that the memories hold: powers of two, 8 to 2^24. A limit of
+     * vertices above the first enlarges it; on the second no run depends. */
     hs_limits capacity;
 } hs_model_config;
 

@@ -37,7 +37,8 @@ bool hs_rtl_run(hs_rtl *rtl, const hs_packet *in, hs_stalls stalls, hs_packet *o
 /* Streams `count` packets in, one behind the other, and all answers out, which may interleave if
  * several views are in flight: out[i] is in[i]'s. Their views' numbers must differ in their low 16
  * bits. view[i], *cycles: as hs_flight_run's. The pipeline is at rest before. False as hs_rtl_run,
- * but that counters are not looked at. Logs go to the array of hs_rtl_logs, a log a pipeline. */
+ * but that of the registers the count of views alone is looked at. Logs go to the array of
+ * hs_rtl_logs, a log a pipeline. */
 bool hs_rtl_stream(hs_rtl *rtl, const hs_packet *in, uint32_t count, hs_stalls stalls,
                    hs_packet *out, hs_flight_view *view, uint64_t *cycles, hs_error *err);
 void hs_rtl_logs(hs_rtl *rtl, hs_log *logs);

@@ -98,9 +98,15 @@ static bool stream(hs_rtl *rtl, const hs_packet *in, hs_stalls stalls, hs_packet
     return true;
 }
 
+/* The answer's trailer, the last record but one; NULL if it has not so many. */
+static const uint32_t *trailer_of(const hs_packet *out) {
+    return out->words >= 8 ? &out->word[out->words - 8] : NULL;
+}
+
 /* A view that a memory's fault ends leaves items behind. */
 static bool faulty(const hs_packet *out) {
-    return out->words >= 8 && (out->word[out->words - 8] & 0xff) == HS_STATUS_MEMORY_FAULT;
+    const uint32_t *trailer = trailer_of(out);
+    return trailer && (trailer[0] & 0xff) == HS_STATUS_MEMORY_FAULT;
 }
 
 /* The counters of the view: what they grew by. Idle is what the view's own cycles leave. */
@@ -142,7 +148,7 @@ static bool account(const hs_rtl *rtl, const hs_packet *in, const hs_packet *out
 /* The registers tell of the view what its trailer tells. */
 static bool told(const hs_rtl *rtl, const hs_packet *in, const hs_packet *out,
                  const rtl_counters *after, hs_error *err) {
-    const uint32_t *trailer = out->words >= 8 ? &out->word[out->words - 8] : NULL;
+    const uint32_t *trailer = trailer_of(out);
     if (after->views - rtl->before.views != 1)
         return hs_fail(err, HS_EXIT_INTERNAL, "view %u: the RTL counts %u views instead of 1",
                        in->view, after->views - rtl->before.views);

@@ -46,7 +46,7 @@ static inline void crease_edge(hs_mesh *mesh, uint32_t v, uint32_t w, uint8_t sh
 }
 
 /* Most edges and vertices stay smooth; the others get what ends within few levels, or what lasts:
- * 1 to 4 mostly, 5 to 10, or 15. */
+ * 1 to 4 mostly, 5 to HS_MAX_SHARPNESS, or 15. */
 static inline uint8_t random_sharpness(uint32_t *seed, uint32_t one_in) {
     if (next_random(seed) % one_in) return 0;
     const uint32_t random = next_random(seed), s = 1 + random % 6;

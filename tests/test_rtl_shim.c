@@ -120,6 +120,33 @@ static void every_fault_of_a_run_is_named_and_the_next_run_is_sound(void **state
     hs_rtl_free(rtl);
 }
 
+/* Packets in a row: their views are counted. */
+static void a_view_of_a_row_that_is_not_counted_is_found(void **state) {
+    (void)state;
+    enum { ROW = 3 };
+    hs_rtl *rtl = new_sound_rtl();
+    hs_packet in[ROW] = {0}, out[ROW] = {0};
+    hs_flight_view view[ROW];
+    hs_error err = {0};
+    uint64_t cycles;
+    for (uint32_t i = 0; i < ROW; i++) {
+        make_packet(&in[i]);
+        in[i].view = i;
+    }
+    for (uint32_t i = 0; i < 3; i++) {
+        planted_fault = i == 1 ? FAULT_VIEWS : FAULT_NONE;
+        const bool good = hs_rtl_stream(rtl, in, ROW, no_stalls, out, view, &cycles, &err);
+        if (good != (i != 1)) fail_msg("run %u: %s", i, good ? "nothing was found" : err.text);
+        if (i == 1) assert_non_null(strstr(err.text, "counts 0 views instead of 3"));
+    }
+    for (uint32_t i = 0; i < ROW; i++) {
+        assert_memory_equal(out[i].word, in[i].word, 4 * in[i].words);
+        hs_packet_free(&in[i]);
+        hs_packet_free(&out[i]);
+    }
+    hs_rtl_free(rtl);
+}
+
 static void a_foreign_or_too_small_pipeline_is_not_built(void **state) {
     (void)state;
     hs_error err = {0};
@@ -223,6 +250,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_sound_pipeline_passes_with_any_stalls),
         cmocka_unit_test(every_fault_of_a_run_is_named_and_the_next_run_is_sound),
+        cmocka_unit_test(a_view_of_a_row_that_is_not_counted_is_found),
         cmocka_unit_test(a_foreign_or_too_small_pipeline_is_not_built),
         cmocka_unit_test(two_simulations_keep_their_errors_apart),
         cmocka_unit_test(a_wrong_word_is_found_and_described),

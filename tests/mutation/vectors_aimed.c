@@ -195,10 +195,10 @@ static void add_subnormals(vectors *all, hs_limits limits) {
 
 /* One of the sixteen views of a mesh, which is freed. */
 static void add_seen(vectors *all, const char *name, hs_limits limits, hs_mesh *mesh, uint32_t v,
-                     const hs_settings *settings, hs_stalls stalls) {
+                     const hs_settings *settings) {
     hs_view view[VIEWS];
     make_views(mesh, view);
-    add_view(all, name, limits, mesh, view[v % VIEWS].matrix, settings, stalls);
+    add_view(all, name, limits, mesh, view[v].matrix, settings, no_stalls);
     hs_mesh_free(mesh);
 }
 
@@ -212,7 +212,7 @@ static void add_narrow(vectors *all, hs_limits limits) {
         const hs_settings s = i % 4 == 3 ? uniform(4) : adaptive(3, 5, i % 2);
         const uint32_t quads = mesh.halfedges + i / 3 * 29;
         snprintf(text, sizeof text, "%s in %u quads", shape[i % 3], quads);
-        add_seen(all, text, (hs_limits){limits.vertices, quads}, &mesh, i % 8, &s, no_stalls);
+        add_seen(all, text, (hs_limits){limits.vertices, quads}, &mesh, i % 8, &s);
     }
 }
 
@@ -225,22 +225,7 @@ static void add_strips(vectors *all, hs_limits limits) {
         hs_settings s = uniform((uint8_t)(4 + i / 4 % 3));
         s.boundary = modes[1 + i / 12];
         snprintf(text, sizeof text, "a whole grid %u", i);
-        add_seen(all, text, limits, &mesh, i % 8, &s, no_stalls);
-    }
-}
-
-/* In generation 0 faces keep edges, behind corners that lose theirs, while emit waits. */
-static void add_kept(vectors *all, hs_limits limits) {
-    for (uint32_t i = 0; i < 24; i++) {
-        hs_mesh mesh;
-        char text[80];
-        if (i % 2)
-            make_shape(&mesh, "random", 40 + 4 * i, i);
-        else
-            make_bicone(&mesh, 24 + 3 * i);
-        const hs_settings s = adaptive(1, (uint8_t)(1 + i % 3), i % 3 == 0);
-        snprintf(text, sizeof text, "kept edges %u", i);
-        add_seen(all, text, limits, &mesh, i, &s, (hs_stalls){.seed = i, .output = 95});
+        add_seen(all, text, limits, &mesh, i % 8, &s);
     }
 }
 
@@ -257,7 +242,7 @@ static void add_sharp(vectors *all, hs_limits limits) {
         s.boundary = modes[i / 3 % 3];
         s.limit = i % 7 == 3;
         snprintf(text, sizeof text, "sharp edges %u", i);
-        add_seen(all, text, limits, &mesh, i % 8, &s, no_stalls);
+        add_seen(all, text, limits, &mesh, i % 8, &s);
     }
 }
 
@@ -455,7 +440,6 @@ void add_aimed(vectors *all, hs_limits limits) {
     add_subnormals(all, limits);
     add_narrow(all, limits);
     add_strips(all, limits);
-    add_kept(all, limits);
     add_sharp(all, limits);
     add_points(all, limits);
     add_thresholds(all, limits);
